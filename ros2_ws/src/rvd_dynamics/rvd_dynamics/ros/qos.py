@@ -1,0 +1,42 @@
+"""
+Qualities of service, named by what they are for.
+
+Ring topics are reliable and remembered, so that the order in which nodes come up does not
+matter. Histories are deep because a reader that is flooded loses messages silently when its
+queue is short (measured: 7 of 91 runs with depth 10, 0 of 12 with 2,000).
+"""
+
+from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile, ReliabilityPolicy
+
+DEPTH = 2000                    # [messages] more than any reader falls behind
+
+
+def _profile(depth: int, durability: DurabilityPolicy) -> QoSProfile:
+    return QoSProfile(history=HistoryPolicy.KEEP_LAST, depth=depth,
+                      reliability=ReliabilityPolicy.RELIABLE, durability=durability)
+
+
+RING = _profile(DEPTH, DurabilityPolicy.TRANSIENT_LOCAL)
+LATCHED = _profile(1, DurabilityPolicy.TRANSIENT_LOCAL)
+EVENTS = _profile(100, DurabilityPolicy.TRANSIENT_LOCAL)
+CLOCK = _profile(10, DurabilityPolicy.VOLATILE)
+HELD_STICK = _profile(1, DurabilityPolicy.VOLATILE)     # what a standard joy node offers
+DIAGNOSTICS = _profile(10, DurabilityPolicy.VOLATILE)
+VIEW = _profile(1, DurabilityPolicy.VOLATILE)
+
+
+def of(topic: str, joy_input: str = 'stepped') -> QoSProfile:
+    """Return the profile that writer and readers of `topic` use."""
+    if topic == '/clock':
+        return CLOCK
+    if topic == '/diagnostics':
+        return DIAGNOSTICS
+    if topic == '/joy' and joy_input == 'held':
+        return HELD_STICK
+    if topic == '/run/events':
+        return EVENTS
+    if topic in ('/run/recorded_step', '/run/verdict'):
+        return RING
+    if topic.startswith('/run/'):
+        return LATCHED
+    return VIEW if topic.startswith('/viz/') else RING
