@@ -1,0 +1,26 @@
+"""
+The automatic controller as a filter on the stick: what it says is the command.
+
+For laws that have seen the stick (`uses_stick`) and return the nearest command they hold safe.
+A law that has not seen it leaves the pilot without a say.
+"""
+
+from dataclasses import dataclass
+from math import nan
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+
+@dataclass(frozen=True)
+class Filter:
+    """Take the automatic command in place of a blend; it has no settings."""
+
+    @property
+    def pilot_weight(self) -> float:
+        """NaN: nothing is weighted."""
+        return nan
+
+    def share(self, pilot: ArrayLike, auto: ArrayLike) -> NDArray[np.int8]:
+        """Return the automatic levels, shape (..., 3), in the common shape of both."""
+        return np.add(np.zeros_like(pilot), auto, dtype=np.int8)
