@@ -78,9 +78,8 @@ NODES = {
         watches=('/run/ready', '/run/recorded_step', '/run/pause'),
         writes=('/run/end', '/run/scenario')),
     'relative_sensor': Spec(
-        fires_on=(('/truth/relative_state', 0),),
-        emits=('/onboard/measurement', '/onboard/downlink'),
-        watches=('/onboard/thruster_command',)),
+        fires_on=(('/truth/relative_state', 0), ('/onboard/thruster_command', 1)),
+        emits=('/onboard/measurement', '/onboard/downlink')),
     'link_back': Spec(
         fires_on=(('/onboard/downlink', 0),),
         emits=('/ground/telemetry', '/link/back/status')),

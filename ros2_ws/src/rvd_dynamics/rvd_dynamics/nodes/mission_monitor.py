@@ -1,0 +1,71 @@
+"""
+ROS shell of the judge: reads truth and nothing else, outside the ring.
+
+Watches     /truth/relative_state    rvd_interfaces/RelativeState
+Publishes   /run/verdict             rvd_interfaces/Verdict, at most 10 a second of wall time
+            while the run goes on, and the final one
+"""
+
+import time
+
+import numpy as np
+
+from rvd_dynamics.judge import Judge
+from rvd_dynamics.ros.conversions import header_at, state_from_msg, vector
+from rvd_dynamics.ros.node import WatchNode
+from rvd_dynamics.ros.run import run
+from rvd_interfaces.msg import RelativeState, Verdict
+
+PERIOD_S = 0.1                  # [s] wall time between two verdicts under way
+
+
+class MissionMonitor(WatchNode):
+    """The judge as a node."""
+
+    def __init__(self) -> None:
+        super().__init__('mission_monitor')
+        self._judge = Judge(self.mission)
+        self._out = self.writer('/run/verdict', Verdict)
+        self._published = time.monotonic()
+        self._judged_final = False
+        self.watch('/truth/relative_state', RelativeState, self._on_truth)
+
+    def _on_truth(self, truth: RelativeState) -> None:
+        if truth.step != self.step + 1:
+            raise ValueError(f'truth jumps from step {self.step} to {truth.step}: '
+                             'a run with a gap cannot be judged')
+        self.step = truth.step
+        state = state_from_msg(truth)
+        a = truth.acceleration
+        if truth.step == 0:
+            self._judge.start(state)
+        else:
+            self._judge.advance(truth.step, state, np.array((a.x, a.y, a.z)))
+        now = time.monotonic()
+        if truth.final or now - self._published >= PERIOD_S:
+            self._published = now
+            self._publish(truth.final)
+        self.diagnose()
+        if truth.final:
+            self._judged_final = True
+            self.finish()
+
+    def _publish(self, final: bool) -> None:
+        v = self._judge.verdict(final)
+        self._out.publish(Verdict(
+            header=header_at(self.step * self.mission.step_ns, self.mission.frame_id),
+            step=self.step, final=final, success=bool(v.success), reason=str(v.reason),
+            duration=float(v.duration), x_rate=float(v.x_rate), offset=float(v.offset),
+            lateral_rate=float(v.lateral_rate),
+            min_corridor_margin=float(v.min_corridor_margin), exit_time=float(v.exit_time),
+            exit_position=vector(v.exit_position), delta_v=float(v.delta_v)))
+
+    def on_end(self) -> None:
+        """Judge the final truth first, which may still be on its way."""
+        if self._judged_final:
+            self.finish()
+
+
+def main(args=None) -> None:
+    """Run the node."""
+    run(MissionMonitor, args)

@@ -1,0 +1,58 @@
+"""
+ROS shell of the guidance laws: the one that `law` names computes the automatic command.
+
+Fires on    /ground/prediction k     rvd_interfaces/RelativeState
+            /joy k                   sensor_msgs/Joy, only if the law uses the stick
+Publishes   /ground/auto_command k   rvd_interfaces/ThrustCommand
+Parameters  the fields of ControllerParams: `law` and the settings of each law under its name
+"""
+
+import numpy as np
+
+from rvd_dynamics.codes import BY_AUTO, BY_NOBODY, REASON_MISSING, REASON_NONE
+from rvd_dynamics.ros import graph
+from rvd_dynamics.ros.conversions import NAN, header_at, state_from_msg
+from rvd_dynamics.ros.run import run
+from rvd_dynamics.ros.step_node import StepNode
+from rvd_dynamics.spacecraft.levels import stick_levels
+from rvd_groundstation.guidance import ControllerParams
+from rvd_interfaces.msg import RelativeState, ThrustCommand
+from sensor_msgs.msg import Joy
+
+
+class AutoController(StepNode):
+    """A guidance law as a node."""
+
+    def __init__(self) -> None:
+        super().__init__('auto_controller')
+        self.step_input('/ground/prediction', RelativeState)
+        if ('/joy', 0) in self.spec.fires_on:
+            self.step_input('/joy', Joy)
+        self._out = self.step_output('/ground/auto_command', ThrustCommand)
+
+    def _spec(self) -> graph.Spec:
+        self._law = self.settings(ControllerParams, mission=self.mission).selected
+        return graph.spec_of(self.get_name(), self.mission.operator, self.mission.joy_input,
+                             self._law.uses_stick)
+
+    def on_step(self, step: int, prediction: RelativeState | None, joy: Joy | None = None
+                ) -> None:
+        """Ask the law for levels at the predicted state."""
+        valid = prediction is not None and prediction.valid
+        levels = np.zeros(3, dtype=np.int8)
+        if valid:
+            stick = None
+            if joy is not None:
+                stick, held = stick_levels(joy.axes, joy.buttons, self.mission.stick)
+                stick = stick if held else None
+            levels = self._law.levels(state_from_msg(prediction), stick)
+        acts_ns = (step + self.mission.forward_steps) * self.mission.step_ns
+        self._out.publish(ThrustCommand(
+            header=header_at(acts_ns, self.mission.frame_id), step=step, levels=levels,
+            valid=valid, decided_by=BY_AUTO if valid else BY_NOBODY, pilot_weight=NAN,
+            reason=REASON_NONE if valid else REASON_MISSING))
+
+
+def main(args=None) -> None:
+    """Run the node."""
+    run(AutoController, args)
