@@ -1,0 +1,120 @@
+"""
+Thrust levels -3 .. 3 along x, y, z of the target orbital frame.
+
+Shapes  levels, accelerations and deflections carry x, y, z on the last axis; leading axes
+        are batch axes.
+Source  Zhang, Li, Tang 2014, Table 2 (accelerations). The paper does not say how a force
+        becomes a level: here the nearest one, with thresholds half-way between levels.
+"""
+
+from collections.abc import Sequence
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rvd_dynamics.mission import StickParams, ThrustParams
+
+HIGHEST = 3                             # levels run from -HIGHEST to HIGHEST
+AXES = np.arange(3)
+NEUTRAL = np.zeros(3, dtype=np.int8)
+NEUTRAL.flags.writeable = False
+
+
+@lru_cache(maxsize=16)
+def _accelerations(thrust: ThrustParams) -> NDArray[np.float64]:
+    """Return the acceleration [m/s^2] of level l along axis i at `[l + HIGHEST, i]`."""
+    rising = np.array([thrust.x_m_s2, thrust.lateral_m_s2, thrust.lateral_m_s2]).T
+    return np.concatenate([-rising[::-1], np.zeros((1, 3)), rising])
+
+
+@lru_cache(maxsize=16)
+def _thresholds(thrust: ThrustParams) -> NDArray[np.float64]:
+    """Return the mid-point [m/s^2] below level l = 1, 2, 3 of axis i at `[l - 1, i]`."""
+    table = _accelerations(thrust)[HIGHEST:]
+    return (table[:-1] + table[1:]) / 2.0
+
+
+def acceleration(levels: ArrayLike, thrust: ThrustParams) -> NDArray[np.float64]:
+    """
+    Return the nominal acceleration of levels.
+
+    Parameters
+    ----------
+    levels : array_like of int, shape (..., 3)
+        Levels, -3 to 3.
+    thrust : ThrustParams
+        Table 2.
+
+    Returns
+    -------
+    ndarray, shape (..., 3)
+        Acceleration [m/s^2].
+
+    Raises
+    ------
+    ValueError
+        If a level is not a whole number from -3 to 3.
+    """
+    levels = np.asarray(levels)
+    if levels.dtype.kind not in 'iu':
+        raise ValueError(f'levels must be whole numbers, got {levels.tolist()}')
+    index = levels + HIGHEST
+    if index.size and not (index.min() >= 0 and index.max() <= 2 * HIGHEST):
+        raise ValueError(f'levels must be -3 to 3, got {levels[abs(levels) > 3].tolist()}')
+    return _accelerations(thrust)[index, AXES]
+
+
+def nearest_level(accel: ArrayLike, thrust: ThrustParams) -> NDArray[np.int8]:
+    """
+    Return the level whose acceleration is nearest, shape (..., 3); a tie takes the larger.
+
+    What is not finite asks for nothing: level 0 (its invalidity must travel beside it).
+    """
+    accel = np.asarray(accel, dtype=float)
+    size = np.abs(accel)
+    first, second, third = _thresholds(thrust)
+    level = (size >= first).astype(np.int8)
+    level += size >= second
+    level += size >= third
+    level *= np.isfinite(accel)
+    return np.where(accel < 0.0, -level, level)
+
+
+def level_of_deflection(deflection: ArrayLike, dead_zone: float = 0.05) -> NDArray[np.int8]:
+    """
+    Return the level of stick deflections of any shape: sign(a) floor(3 |a| + 0.5).
+
+    Up to `dead_zone` a deflection is neutral. A stick that stands at level / 3, as tapes and
+    models put it, gives that level.
+
+    Raises
+    ------
+    ValueError
+        If a deflection is NaN or beyond -1 .. 1.
+    """
+    deflection = np.asarray(deflection, dtype=float)
+    size = np.abs(deflection)
+    if not np.all(size <= 1.0):                     # also refuses NaN
+        raise ValueError(f'deflection must be -1 to 1, got {deflection.tolist()}')
+    level = np.floor(3.0 * size + 0.5).astype(np.int8)
+    level *= size > dead_zone
+    return np.where(deflection < 0.0, -level, level)
+
+
+def stick_levels(axes: Sequence[float], buttons: Sequence[int],
+                 stick: StickParams) -> tuple[NDArray[np.int8], bool]:
+    """
+    Return the levels (3,) of one `sensor_msgs/Joy` and whether the message is valid.
+
+    The whole message is invalid, and its levels 0, when any axis is NaN or beyond -1 .. 1,
+    when an axis or button that `stick` names is not there, or when the dead-man button is open.
+    """
+    wanted = (stick.axis_x, stick.axis_y, stick.axis_z)
+    if len(axes) <= max(wanted) or not all(-1.0 <= a <= 1.0 for a in axes):
+        return NEUTRAL.copy(), False
+    deadman = stick.deadman_button
+    if deadman >= 0 and (len(buttons) <= deadman or buttons[deadman] != 1):
+        return NEUTRAL.copy(), False
+    levels = level_of_deflection([axes[i] for i in wanted], stick.dead_zone)
+    return levels * np.array((stick.sign_x, stick.sign_y, stick.sign_z), dtype=np.int8), True
