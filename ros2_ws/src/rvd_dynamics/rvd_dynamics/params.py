@@ -5,7 +5,7 @@ Settings: a frozen dataclass beside each algorithm is the one place a parameter 
 there. Keys carry their unit as a suffix (`step_s`, `half_angle_deg`).
 """
 
-from dataclasses import Field, field, fields, is_dataclass
+from dataclasses import Field, field, fields, is_dataclass, make_dataclass
 from typing import Any, Iterator
 
 
@@ -41,18 +41,21 @@ def build(settings: type, values: dict[str, Any], prefix: str = '', **wiring: An
     """
     Make `settings` from dotted keys; missing keys keep their defaults.
 
+    `wiring` goes to the fields of that name that are no parameters, nested ones included.
+
     Raises
     ------
     ValueError
         If a value has the wrong type or the class refuses it; the text names key and value.
     """
-    made: dict[str, Any] = dict(wiring)
+    made: dict[str, Any] = {}
     for f in fields(settings):
-        if 'doc' not in f.metadata:
-            continue
         key = prefix + f.name
-        if is_dataclass(f.default_factory):
-            made[f.name] = build(f.default_factory, values, key + '.')
+        if 'doc' not in f.metadata:
+            if f.name in wiring:
+                made[f.name] = wiring[f.name]
+        elif is_dataclass(f.default_factory):
+            made[f.name] = build(f.default_factory, values, key + '.', **wiring)
         elif key in values:
             made[f.name] = coerce(key, values[key], default_of(f))
     return settings(**made)
@@ -90,6 +93,25 @@ def coerce(key: str, value: Any, default: Any) -> Any:
     if not isinstance(value, str):
         raise ValueError(f'{key} must be text, got {value!r}')
     return value
+
+
+def choice(name: str, key: str, table: dict[str, type], default: str, doc: str) -> type:
+    """
+    Return a settings class that picks one entry of a table of interchangeable parts.
+
+    Its parameters are `key`, whose value is a name in `table`, and the settings of each entry
+    under the entry's name; `selected` is the picked entry, built.
+    """
+    def check(self: Any) -> None:
+        picked = getattr(self, key)
+        require(picked in table, key, f'be one of {", ".join(table)}', picked)
+
+    picks = [(key, str, param(default, f'{doc} {", ".join(table)}.'))]
+    parts = [(entry, part, param(part, f'Settings of {entry}.')) for entry, part in table.items()]
+    return make_dataclass(name, picks + parts, frozen=True, namespace={
+        '__doc__': f'{doc} `{key}` names it, its settings stand under its name.',
+        '__post_init__': check,
+        'selected': property(lambda self: getattr(self, getattr(self, key)))})
 
 
 def flatten(settings: Any, prefix: str = '') -> dict[str, Any]:

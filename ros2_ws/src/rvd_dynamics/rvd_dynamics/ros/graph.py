@@ -156,3 +156,29 @@ def expected(topic: str, nodes: Iterable[str], operator: str, joy_input: str) ->
     specs = [spec_of(name, operator, joy_input) for name in nodes if name in NODES]
     return (sum(topic in spec.publishes for spec in specs),
             sum(topic in spec.reads for spec in specs))
+
+
+def who_owes(last: dict[str, int], nodes: Iterable[str], operator: str, joy_input: str,
+             recorder_lead: int) -> list[str]:
+    """
+    Name the nodes whose inputs are complete and whose output is missing.
+
+    `last` is the last step seen on each topic (-1: nothing yet). In lock step the world also
+    waits for a recorder that is more than `recorder_lead` steps behind: then that one owes.
+    """
+    def seen(topic: str) -> int:
+        return last.get(topic, -1)
+
+    names, owing = list(nodes), []
+    if ('bag_recorder' in names
+            and seen('/truth/relative_state') - seen('/run/recorded_step') >= recorder_lead):
+        owing.append('bag_recorder')
+    for name in names:
+        if name not in NODES or not NODES[name].emits:
+            continue
+        spec = spec_of(name, operator, joy_input)
+        stepped = [topic for topic in spec.emits if topic != '/clock']
+        due = min(seen(topic) for topic in stepped) + 1
+        if all(seen(topic) >= due - lag for topic, lag in spec.fires_on):
+            owing.append(name)
+    return owing

@@ -15,7 +15,7 @@ from rvd_dynamics.ros.conversions import NAN, header_at, state_from_msg
 from rvd_dynamics.ros.run import run
 from rvd_dynamics.ros.step_node import StepNode
 from rvd_dynamics.spacecraft.levels import stick_levels
-from rvd_groundstation.guidance import ControllerParams
+from rvd_groundstation.settings import ControllerParams
 from rvd_interfaces.msg import RelativeState, ThrustCommand
 from sensor_msgs.msg import Joy
 

@@ -24,7 +24,8 @@ from rvd_dynamics.ros.conversions import header_at
 from rvd_dynamics.ros.run import run
 from rvd_dynamics.ros.step_node import StepNode
 from rvd_dynamics.spacecraft.levels import stick_levels
-from rvd_groundstation.sharing import BlenderParams, decide
+from rvd_groundstation.settings import BlenderParams
+from rvd_groundstation.sharing import decide
 from rvd_interfaces.msg import LinkFrame, ThrustCommand
 from rvd_interfaces.srv import RunControl
 

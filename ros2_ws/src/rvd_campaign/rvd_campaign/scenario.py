@@ -1,0 +1,224 @@
+"""
+Scenarios: one ROS parameter file for all nodes, checked before anything starts.
+
+ROS ignores unknown keys silently, reads `2e-4` as a number where YAML says text, and refuses
+`step_s: 1` because 1 is whole; so one validator reads scenarios: floats accept whole numbers,
+unknown keys are refused with the nearest known one, shared keys stand under `/**` only.
+"""
+
+import difflib
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from rvd_dynamics.guard.guard import GuardParams
+from rvd_dynamics.link.models import LinkParams
+from rvd_dynamics.mission import Mission
+from rvd_dynamics.params import build, flatten, leaves
+from rvd_dynamics.recording.params import MarkerParams, RecorderParams
+from rvd_dynamics.sensors import SensorParams
+from rvd_dynamics.world import DynamicsParams
+from rvd_groundstation.operators.pilot import PilotParams
+from rvd_groundstation.operators.tape import ReplayParams
+from rvd_groundstation.prediction.predictor import PredictorParams
+from rvd_groundstation.settings import BlenderParams, ControllerParams
+
+SHARED = '/**'
+SETTINGS = {                    # section of the file: its settings
+    SHARED: Mission,
+    'spacecraft_dynamics': DynamicsParams,
+    'relative_sensor': SensorParams,
+    'onboard_guard': GuardParams,
+    'link_back': LinkParams,
+    'link_forward': LinkParams,
+    'state_predictor': PredictorParams,
+    'auto_controller': ControllerParams,
+    'command_blender': BlenderParams,
+    'operator_model': PilotParams,
+    'joystick_replay': ReplayParams,
+    'bag_recorder': RecorderParams,
+    'markers': MarkerParams,
+}
+MAX_BYTES = 1 << 20             # a scenario is a page; a gigabyte is an accident or an attack
+MAX_DEPTH = 20
+SET_AT_BRING_UP = {(SHARED, 'nodes'), ('bag_recorder', 'bag_dir')}
+
+
+class ScenarioError(ValueError):
+    """A scenario that cannot be flown; the text is one line that names the value."""
+
+
+@dataclass(frozen=True)
+class Scenario:
+    """A checked scenario: the shared mission and the settings of every node."""
+
+    name: str
+    sections: dict[str, dict[str, Any]] = field(repr=False)     # dotted keys as given
+
+    def __post_init__(self) -> None:
+        for section in SETTINGS:                # build all, so that nothing is found out later
+            self.settings(section)
+
+    def settings(self, section: str) -> Any:
+        """
+        Return the settings of one section, defaults filled in.
+
+        Raises
+        ------
+        ScenarioError
+            If the settings class refuses a value.
+        """
+        wiring = {} if section == SHARED else {'mission': self.mission}
+        try:
+            return build(SETTINGS[section], self.sections.get(section, {}), **wiring)
+        except ValueError as error:
+            where = '' if section == SHARED else f'{section}: '
+            raise ScenarioError(f'scenario {self.name}: {where}{error}') from None
+
+    @property
+    def mission(self) -> Mission:
+        """The shared settings."""
+        return self.settings(SHARED)
+
+    def with_values(self, section: str, **values: Any) -> 'Scenario':
+        """Return a copy in which dotted keys of one section are set (`__` stands for a dot)."""
+        named = {key.replace('__', '.'): value for key, value in values.items()}
+        check_keys(self.name, section, named)
+        sections = dict(self.sections)
+        sections[section] = {**sections.get(section, {}), **named}
+        return replace(self, sections=sections)
+
+    def resolved(self) -> dict[str, Any]:
+        """Return the whole scenario with every default written out, as ROS takes it."""
+        tree = {}
+        for section, settings in SETTINGS.items():
+            wanted = {key for key, _ in leaves(settings)}
+            flat = {key: value for key, value in flatten(self.settings(section)).items()
+                    if key in wanted and (section, key) not in SET_AT_BRING_UP}
+            if flat:
+                tree[section] = {'ros__parameters': _nested(flat)}
+        return tree
+
+    def dump(self) -> str:
+        """Return the resolved scenario as the text of a ROS parameter file."""
+        return (f'# Scenario {self.name} as flown, every default resolved.\n'
+                + yaml.dump(self.resolved(), Dumper=_Dumper, sort_keys=False))
+
+
+class _Dumper(yaml.SafeDumper):
+    """Writes short lists in one line and floats so that ROS reads floats."""
+
+
+_Dumper.add_representer(list, lambda d, v: d.represent_sequence(
+    'tag:yaml.org,2002:seq', v, flow_style=True))
+
+
+class _Loader(yaml.SafeLoader):
+    """Refuses what a scenario never needs: anchors (bombs) and keys given twice."""
+
+    def compose_node(self, parent: Any, index: Any) -> Any:
+        if self.check_event(yaml.events.AliasEvent):
+            raise ScenarioError('anchors and aliases are not allowed')
+        return super().compose_node(parent, index)
+
+    def construct_mapping(self, node: Any, deep: bool = False) -> dict:
+        keys = [key.value for key, _ in node.value]
+        twice = {key for key in keys if keys.count(key) > 1}
+        if twice:
+            raise ScenarioError(f'line {node.start_mark.line + 1}: key given twice: '
+                                f'{", ".join(sorted(map(str, twice)))}')
+        return super().construct_mapping(node, deep)
+
+
+def load(path: Path) -> Scenario:
+    """
+    Read and check a scenario file.
+
+    Raises
+    ------
+    ScenarioError
+        With one line that names the file and what is wrong in it.
+    """
+    try:
+        if path.stat().st_size > MAX_BYTES:
+            raise ScenarioError(f'{path} is larger than {MAX_BYTES >> 20} MiB')
+        text = path.read_text(encoding='utf-8')
+    except OSError as error:
+        raise ScenarioError(f'cannot read scenario {path}: {error.strerror}') from None
+    except UnicodeDecodeError:
+        raise ScenarioError(f'{path} is not a text file') from None
+    return parse(text, path.stem)
+
+
+def parse(text: str, name: str) -> Scenario:
+    """Check the text of a scenario; errors as `load`."""
+    try:
+        tree = yaml.load(text, Loader=_Loader)  # noqa: S506 - a SafeLoader
+    except ScenarioError as error:
+        raise ScenarioError(f'scenario {name}: {error}') from None
+    except RecursionError:
+        raise ScenarioError(f'scenario {name}: nested deeper than {MAX_DEPTH}') from None
+    except (yaml.YAMLError, ValueError) as error:
+        line = ' '.join(str(error).split())
+        raise ScenarioError(f'scenario {name} is not valid YAML: {line}') from None
+    if not isinstance(tree, dict):
+        raise ScenarioError(f'scenario {name} is empty or not a mapping of nodes')
+    sections = {}
+    for section, body in tree.items():
+        if section not in SETTINGS:
+            raise ScenarioError(f'scenario {name}: no node {section!r}'
+                                + _nearest(str(section), SETTINGS))
+        parameters = body.get('ros__parameters') if isinstance(body, dict) else None
+        if not isinstance(parameters, dict) or len(body) != 1:
+            raise ScenarioError(f'scenario {name}: {section} must hold ros__parameters: '
+                                'and nothing else')
+        flat = _flat(parameters, name)
+        check_keys(name, section, flat)
+        sections[section] = flat
+    return Scenario(name, sections)
+
+
+def check_keys(name: str, section: str, flat: dict[str, Any]) -> None:
+    """Refuse unknown keys by name, with the nearest known one."""
+    known = [key for key, _ in leaves(SETTINGS[section])]
+    shared = {key for key, _ in leaves(Mission)}
+    for key in flat:
+        if key in known:
+            continue
+        if section != SHARED and key in shared:
+            raise ScenarioError(f'scenario {name}: {section}: {key} is shared by all nodes and '
+                                f'stands under {SHARED} only')
+        raise ScenarioError(f'scenario {name}: {section}: unknown key {key}'
+                            + _nearest(key, known))
+
+
+def _nearest(word: str, known: Any) -> str:
+    close = difflib.get_close_matches(word, list(known), n=1, cutoff=0.5)
+    return f'; did you mean {close[0]}?' if close else f'; known: {", ".join(known)}'
+
+
+def _flat(tree: dict, name: str, prefix: str = '', depth: int = 0) -> dict[str, Any]:
+    if depth > MAX_DEPTH:
+        raise ScenarioError(f'scenario {name}: nested deeper than {MAX_DEPTH}')
+    flat = {}
+    for key, value in tree.items():
+        if not isinstance(key, str):
+            raise ScenarioError(f'scenario {name}: key {prefix}{key} is not text')
+        if isinstance(value, dict):
+            flat.update(_flat(value, name, f'{prefix}{key}.', depth + 1))
+        else:
+            flat[prefix + key] = value
+    return flat
+
+
+def _nested(flat: dict[str, Any]) -> dict[str, Any]:
+    tree: dict[str, Any] = {}
+    for key, value in flat.items():
+        *path, last = key.split('.')
+        branch = tree
+        for part in path:
+            branch = branch.setdefault(part, {})
+        branch[last] = value
+    return tree
