@@ -1,0 +1,157 @@
+"""
+Payloads of the space link: fixed little-endian structures that end in a CRC-32.
+
+    command    version u8, key u16, session u64, sequence u64, generated i64 ns, kind u8,
+               levels 3 x i8, CRC u32: 35 bytes
+    downlink   version u8, key u16, session u64, sequence u64, generated i64 ns, kind u8,
+               state 6 x f64 [m, m/s], accepted sequence u64, refusal u8, CRC u32: 89 bytes
+
+`unpack_*` checks the length, then the checksum, and only then parses; no bytes whatever make
+it raise. CRC-32 finds every burst of up to 32 flipped bits (bits numbered from the least
+significant of each byte). It does not keep out a stranger: that takes keys, and key 0 says
+that there are none.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import IntEnum
+from struct import Struct
+from zlib import crc32
+
+from rvd_dynamics.params import require
+
+VERSION = 1
+KEY = 0                         # no key yet: a CRC stands where a signature will
+SESSION = 0                     # no sessions yet
+STATE = 0                       # kind of a downlink: a measured relative state
+HIGHEST_LEVEL = 3
+
+_COMMAND = Struct('<BHQQqB3b')
+_DOWNLINK = Struct('<BHQQqB6dQB')
+_CRC = Struct('<I')
+COMMAND_BYTES = _COMMAND.size + _CRC.size
+DOWNLINK_BYTES = _DOWNLINK.size + _CRC.size
+
+
+class Kind(IntEnum):
+    """What a command asks for; the codes of ThrustCommand.msg."""
+
+    THRUST = 0
+    HOLD = 1
+    RETREAT = 2
+    ABORT = 3
+    RESUME = 4
+
+
+class Refusal(IntEnum):
+    """Why a frame was refused; the REASON codes of ThrustCommand.msg."""
+
+    LENGTH = 2
+    CHECKSUM = 3
+    ORDER = 4
+    AGE = 5
+    RANGE = 6
+
+
+@dataclass(frozen=True, slots=True)
+class Command:
+    """A command as sent; `kind` and `levels` are not yet checked."""
+
+    sequence: int               # rising by one per frame, the first is 1
+    generated_ns: int           # [ns] instant of the step it was made in
+    kind: int                   # one of Kind, or unknown
+    levels: tuple               # along x, y, z, wanted in [-3..3]
+
+
+@dataclass(frozen=True, slots=True)
+class Downlink:
+    """A measurement as sent, and what the guard last did."""
+
+    sequence: int               # rising by one per frame, the first is 1
+    generated_ns: int           # [ns] instant the state was measured
+    state: tuple                # x, y, z, vx, vy, vz [m, m/s], NaN when unknown
+    accepted_sequence: int      # last command that the guard accepted, 0 when none
+    refusal: int                # last refusal code of the guard, 0 when none
+
+
+def pack_command(sequence: int, generated_ns: int, levels: Sequence[int],
+                 kind: int = Kind.THRUST) -> bytes:
+    """
+    Return the 35 bytes of a command.
+
+    Raises
+    ------
+    ValueError
+        If a field does not fit, `kind` is unknown or a level is not -3..3.
+    """
+    _require_head(sequence, generated_ns)
+    require(kind in tuple(Kind), 'kind', 'be 0 to 4', kind)
+    x, y, z = (int(level) for level in levels)
+    require((x, y, z) == tuple(levels) and levels_in_range((x, y, z)), 'levels',
+            'be whole numbers from -3 to 3', tuple(levels))
+    return _sealed(_COMMAND.pack(VERSION, KEY, SESSION, sequence, generated_ns, kind, x, y, z))
+
+
+def unpack_command(payload: bytes) -> Command | Refusal:
+    """Return the command in `payload`, or LENGTH, CHECKSUM, or RANGE for an unknown version."""
+    broken = _broken(payload, COMMAND_BYTES)
+    if broken is not None:
+        return broken
+    version, key, session, sequence, generated_ns, kind, *levels = _COMMAND.unpack(
+        payload[:_COMMAND.size])
+    if (version, key, session) != (VERSION, KEY, SESSION):
+        return Refusal.RANGE
+    return Command(sequence, generated_ns, kind, tuple(levels))
+
+
+def pack_downlink(sequence: int, generated_ns: int, state: Sequence[float],
+                  accepted_sequence: int = 0, refusal: int = 0) -> bytes:
+    """
+    Return the 89 bytes of a downlink; `state` (6,) may hold NaN.
+
+    Raises
+    ------
+    ValueError
+        If a field does not fit.
+    """
+    _require_head(sequence, generated_ns)
+    require(len(state) == 6, 'state', 'have six components', len(state))
+    require(0 <= accepted_sequence < 1 << 64, 'accepted_sequence', 'fit 64 bits',
+            accepted_sequence)
+    require(0 <= refusal < 1 << 8, 'refusal', 'fit 8 bits', refusal)
+    return _sealed(_DOWNLINK.pack(VERSION, KEY, SESSION, sequence, generated_ns, STATE, *state,
+                                  accepted_sequence, refusal))
+
+
+def unpack_downlink(payload: bytes) -> Downlink | Refusal:
+    """Return the downlink in `payload`, or LENGTH, CHECKSUM, or RANGE if version or kind is new."""
+    broken = _broken(payload, DOWNLINK_BYTES)
+    if broken is not None:
+        return broken
+    version, key, session, sequence, generated_ns, kind, *rest = _DOWNLINK.unpack(
+        payload[:_DOWNLINK.size])
+    if (version, key, session, kind) != (VERSION, KEY, SESSION, STATE):
+        return Refusal.RANGE
+    return Downlink(sequence, generated_ns, tuple(rest[:6]), *rest[6:])
+
+
+def levels_in_range(levels: tuple) -> bool:
+    """Say whether every level is one that the thrusters know."""
+    return all(-HIGHEST_LEVEL <= level <= HIGHEST_LEVEL for level in levels)
+
+
+def _sealed(body: bytes) -> bytes:
+    return body + _CRC.pack(crc32(body))
+
+
+def _broken(payload: bytes, size: int) -> Refusal | None:
+    if len(payload) != size:
+        return Refusal.LENGTH
+    if crc32(payload[:-_CRC.size]) != _CRC.unpack(payload[-_CRC.size:])[0]:
+        return Refusal.CHECKSUM
+    return None
+
+
+def _require_head(sequence: int, generated_ns: int) -> None:
+    require(1 <= sequence < 1 << 64, 'sequence', 'be 1 or more and fit 64 bits', sequence)
+    require(-1 << 63 <= generated_ns < 1 << 63, 'generated_ns', 'fit 64 bits', generated_ns)

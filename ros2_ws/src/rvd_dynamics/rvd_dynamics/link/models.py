@@ -1,0 +1,205 @@
+"""
+How long one frame is on its way: the transit models of a link, and the settings of a link.
+
+A model is a frozen dataclass with `delays(rng, size, hold_s) -> seconds`, NaN where the
+frame never arrives. Transits scale with the play-out delay `hold_s` = nT of the leg, so one
+setting serves every delay and a direct link (hold_s = 0) is direct; `empirical` alone
+speaks in seconds, because its file does.
+
+Source  Zhang, Li, Tang, J. Astronautics 35(3), 2014, section 1.2 leaves the transit open;
+        gamma is chosen so that P(transit > nT) = P(Gamma(8, 1) > 16) = 0.010.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+from math import isfinite
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rvd_dynamics.params import param, require
+
+LONGEST_S = 1e6                 # [s] 11 days; transits beyond are refused, ns stay exact in int64
+
+
+class DelayModel(Protocol):
+    """A transit law; settings are its fields."""
+
+    def delays(self, rng: np.random.Generator, size: tuple, hold_s: float) -> NDArray[np.float64]:
+        """Return transits of shape `size` [s], not negative, NaN where a frame is lost."""
+
+
+@dataclass(frozen=True)
+class Constant:
+    """Every frame takes the same time."""
+
+    transit_fraction: float = param(0.72, 'Transit, as a fraction of the play-out delay.')
+
+    def __post_init__(self) -> None:
+        _require_fraction('constant.transit_fraction', self.transit_fraction)
+
+    def delays(self, rng: np.random.Generator, size: tuple, hold_s: float) -> NDArray[np.float64]:
+        """Return transits [s] of shape `size`; draws nothing."""
+        return np.full(size, self.transit_fraction * hold_s)
+
+
+@dataclass(frozen=True)
+class Uniform:
+    """Transit evenly spread between two bounds."""
+
+    low_fraction: float = param(0.72, 'Shortest transit, as a fraction of the play-out delay.')
+    high_fraction: float = param(1.0, 'Longest transit, as a fraction of the play-out delay.')
+
+    def __post_init__(self) -> None:
+        _require_fraction('uniform.low_fraction', self.low_fraction)
+        _require_fraction('uniform.high_fraction', self.high_fraction)
+        require(self.low_fraction <= self.high_fraction, 'uniform.high_fraction',
+                f'not be below low_fraction {self.low_fraction:g}', self.high_fraction)
+
+    def delays(self, rng: np.random.Generator, size: tuple, hold_s: float) -> NDArray[np.float64]:
+        """Return transits [s] of shape `size`."""
+        spread = (self.high_fraction - self.low_fraction) * hold_s
+        return self.low_fraction * hold_s + spread * rng.random(size)
+
+
+@dataclass(frozen=True)
+class Gamma:
+    """A shortest transit plus a gamma-distributed queueing time."""
+
+    offset_fraction: float = param(0.72, 'Shortest transit, as a fraction of the play-out delay.')
+    shape: float = param(8.0, 'Shape of the gamma distribution.')
+    scale_fraction: float = param(0.0175, 'Its scale, as a fraction of the play-out delay.')
+
+    def __post_init__(self) -> None:
+        _require_fraction('gamma.offset_fraction', self.offset_fraction)
+        require(0.0 < self.shape <= 1000.0, 'gamma.shape', 'be between 0 and 1000', self.shape)
+        _require_fraction('gamma.scale_fraction', self.scale_fraction)
+
+    def delays(self, rng: np.random.Generator, size: tuple, hold_s: float) -> NDArray[np.float64]:
+        """Return transits [s] of shape `size`."""
+        queueing = self.scale_fraction * hold_s * rng.standard_gamma(self.shape, size)
+        return self.offset_fraction * hold_s + queueing
+
+
+@dataclass(frozen=True)
+class Empirical:
+    """Transits drawn with replacement from a file of measured ones."""
+
+    file: str = param('', 'Text file of transits [s], one a line, header line optional.')
+
+    @cached_property
+    def transits_s(self) -> NDArray[np.float64]:
+        """Transits of the file [s], shape (m,); read once."""
+        return read_transits(self.file)
+
+    def delays(self, rng: np.random.Generator, size: tuple, hold_s: float) -> NDArray[np.float64]:
+        """Return transits [s] of shape `size`; `hold_s` does not scale them."""
+        return self.transits_s[rng.integers(0, len(self.transits_s), size)]
+
+
+MODELS = {'constant': Constant, 'uniform': Uniform, 'gamma': Gamma, 'empirical': Empirical}
+
+
+@dataclass(frozen=True)
+class LinkParams:
+    """Settings of one direction of the link; each fault is off by default."""
+
+    model: str = param('gamma', f'Transit model: {", ".join(MODELS)}.')
+    constant: Constant = param(Constant, 'Settings of the constant model.')
+    uniform: Uniform = param(Uniform, 'Settings of the uniform model.')
+    gamma: Gamma = param(Gamma, 'Settings of the gamma model.')
+    empirical: Empirical = param(Empirical, 'Settings of the empirical model.')
+    loss_fraction: float = param(0.0, 'Probability that a copy vanishes.')
+    duplicate_fraction: float = param(0.0, 'Probability that the link makes a second copy.')
+    corrupt_fraction: float = param(0.0, 'Probability that the payload of a copy is damaged.')
+    reorder_fraction: float = param(0.0, 'Probability that a copy is held up on its way.')
+    reorder_delay_s: float = param(1.0, 'How long a copy that is held up waits [s].')
+    outage_windows_s: tuple = param(        # not (): ROS cannot tell the type of an empty list
+        (0.0, 0.0), 'Start, end, start, end ... of outages [s]; start = end: none.')
+
+    def __post_init__(self) -> None:
+        require(self.model in MODELS, 'model', f'be one of {", ".join(MODELS)}', self.model)
+        for name in ('loss_fraction', 'duplicate_fraction', 'corrupt_fraction',
+                     'reorder_fraction'):
+            require(0.0 <= getattr(self, name) <= 1.0, name, 'be between 0 and 1',
+                    getattr(self, name))
+        require(0.0 <= self.reorder_delay_s <= LONGEST_S, 'reorder_delay_s',
+                f'be between 0 and {LONGEST_S:g}', self.reorder_delay_s)
+        windows = self.outage_windows_s
+        require(len(windows) % 2 == 0, 'outage_windows_s', 'be pairs of start and end',
+                list(windows))
+        for start, end in zip(windows[::2], windows[1::2]):
+            require(0.0 <= start <= end <= LONGEST_S, 'outage_windows_s',
+                    f'have 0 <= start <= end <= {LONGEST_S:g} in each pair', [start, end])
+        if self.model == 'empirical':
+            self.empirical.transits_s       # a bad file is refused at the start, not in flight
+
+    @property
+    def delay_model(self) -> DelayModel:
+        """The transit model in use, with its settings."""
+        return getattr(self, self.model)
+
+    @cached_property
+    def outages_ns(self) -> tuple:
+        """Pairs (start, end) of the outages that last [ns]; the end is not part of one."""
+        ns = [round(t * 1e9) for t in self.outage_windows_s]
+        return tuple((a, b) for a, b in zip(ns[::2], ns[1::2]) if a < b)
+
+
+def read_transits(path: str) -> NDArray[np.float64]:
+    """
+    Read transits [s], one a line; the first line may be a header, `#` begins a comment.
+
+    Parameters
+    ----------
+    path : str
+        Relative paths start at the current directory.
+
+    Returns
+    -------
+    ndarray, shape (m,), m >= 1
+
+    Raises
+    ------
+    ValueError
+        If the file cannot be read, has no transit, or has one that is no number, negative,
+        NaN or longer than 1e6 s; the text names file and line.
+    """
+    if not path:
+        raise ValueError('empirical.file must name a file of transits, got nothing')
+    try:
+        with open(path, encoding='utf-8') as file:
+            lines = file.read().splitlines()
+    except (OSError, UnicodeDecodeError) as problem:
+        raise ValueError(f'empirical.file {path} cannot be read: {problem}') from None
+    transits: list[float] = []
+    header_allowed = True
+    for number, line in enumerate(lines, start=1):
+        text = line.split('#')[0].strip()
+        if not text:
+            continue
+        transit = _number(text)
+        if transit is None and header_allowed:
+            header_allowed = False
+            continue
+        header_allowed = False
+        if transit is None or not 0.0 <= transit <= LONGEST_S:
+            raise ValueError(f'{path}, line {number}: a transit must be a number of seconds '
+                             f'between 0 and {LONGEST_S:g}, got {text!r}')
+        transits.append(transit)
+    if not transits:
+        raise ValueError(f'{path}: no transit in the file')
+    return np.array(transits)
+
+
+def _number(text: str) -> float | None:
+    try:
+        return float(text)
+    except ValueError:
+        return None
+
+
+def _require_fraction(name: str, value: float) -> None:
+    """Fractions of the play-out delay may exceed 1 (such frames are late), but not all bounds."""
+    require(isfinite(value) and 0.0 <= value <= 100.0, name, 'be between 0 and 100', value)

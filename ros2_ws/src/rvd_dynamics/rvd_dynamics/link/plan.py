@@ -1,0 +1,122 @@
+"""
+What the link will do to each frame of a run, drawn before the run.
+
+The plan is the one source of chance of a link. The node plays it frame by frame
+(`link.channel`); a campaign only asks `LinkPlan.intact_in_time`, because the play-out buffer
+turns random transits into a constant delay plus erasures. Both get the same answer.
+
+Row k is about the frame sent in step k. Column 0 is the frame itself, column 1 the copy that
+the link may make of it. Transits are integer ns, so that "transit = nT is in time" is exact.
+
+Source  Zhang, Li, Tang, J. Astronautics 35(3), 2014, section 1.2, rules (1)-(3).
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rvd_dynamics.link.models import LinkParams
+from rvd_dynamics.params import require
+
+UNIFORMS_PER_STEP = 9           # loss 2, held up 2, damage 2, kind of damage 2, duplicate 1
+FAR_AHEAD = 1 << 64             # where in the stream the transits begin
+
+
+@dataclass(frozen=True, eq=False)
+class LinkPlan:
+    """The fate of every frame of a run; arrays of shape (steps,) or (steps, 2)."""
+
+    hold_ns: int                        # [ns] play-out delay nT
+    transit_ns: NDArray[np.int64]       # (steps, 2) [ns]; of no meaning where lost
+    lost: NDArray[np.bool_]             # (steps, 2) the copy vanishes
+    damaged: NDArray[np.bool_]          # (steps, 2) the payload of the copy is damaged
+    damage: NDArray[np.float64]         # (steps, 2) in [0, 1): which damage, see channel.damaged
+    duplicated: NDArray[np.bool_]       # (steps,) a second copy is made
+    outage: NDArray[np.bool_]           # (steps,) sent during an outage: no copy gets through
+
+    @cached_property
+    def in_time(self) -> NDArray[np.bool_]:
+        """Copies that reach the play-out buffer by their instant of release, shape (steps, 2)."""
+        in_time = (self.transit_ns <= self.hold_ns) & ~self.lost
+        in_time[:, 1] &= self.duplicated
+        in_time[self.outage] = False
+        return in_time
+
+    @cached_property
+    def intact_in_time(self) -> NDArray[np.bool_]:
+        """
+        Say of each step k whether the frame sent then is released intact at k + n.
+
+        The buffer keeps the copy that comes first (the original, if both come at one
+        instant) and cannot know that it is damaged: an intact second copy does not help.
+
+        Returns
+        -------
+        ndarray of bool, shape (steps,)
+        """
+        first, second = self.in_time[:, 0], self.in_time[:, 1]
+        sooner = self.transit_ns[:, 1] < self.transit_ns[:, 0]
+        copy_counts = second & (sooner | ~first)
+        damaged = np.where(copy_counts, self.damaged[:, 1], self.damaged[:, 0])
+        return (first | second) & ~damaged
+
+
+def draw_plan(params: LinkParams, rng: np.random.Generator, mission_steps: int, step_ns: int,
+              hold_steps: int) -> LinkPlan:
+    """
+    Draw the fate of every frame that may be sent in a run.
+
+    Each fault has its own variates in every step, used or not, and the transits come from a
+    part of the stream far from them. So a fault that is switched on moves nothing else, and
+    a longer time limit does not change the steps before it.
+
+    Parameters
+    ----------
+    params : LinkParams
+    rng : numpy.random.Generator
+        On PCG64, as `streams.generator` and `numpy.random.default_rng` make it.
+    mission_steps : int
+        Steps of the run, `mission.last_step + 1`.
+    step_ns, hold_steps : int
+        Sampling period [ns]; play-out delay n [steps], 0 for a direct link.
+
+    Returns
+    -------
+    LinkPlan
+
+    Raises
+    ------
+    ValueError
+        If a number of steps or the period is impossible.
+    """
+    require(mission_steps >= 1, 'mission_steps', 'be positive', mission_steps)
+    require(step_ns >= 1, 'step_ns', 'be positive', step_ns)
+    require(hold_steps >= 0, 'hold_steps', 'not be negative', hold_steps)
+    hold_ns = hold_steps * step_ns
+    uniforms = rng.random((mission_steps, UNIFORMS_PER_STEP))
+    rng.bit_generator.advance(FAR_AHEAD)
+    transits = params.delay_model.delays(rng, (mission_steps, 2), hold_ns / 1e9)
+
+    missing = np.isnan(transits)
+    transit_ns = np.rint(np.where(missing, 0.0, transits) * 1e9).astype(np.int64)
+    held_up = uniforms[:, 2:4] < params.reorder_fraction
+    transit_ns += held_up * round(params.reorder_delay_s * 1e9)
+    return LinkPlan(
+        hold_ns=hold_ns,
+        transit_ns=transit_ns,
+        lost=missing | (uniforms[:, 0:2] < params.loss_fraction),
+        damaged=uniforms[:, 4:6] < params.corrupt_fraction,
+        damage=uniforms[:, 6:8],
+        duplicated=uniforms[:, 8] < params.duplicate_fraction,
+        outage=_outage(params.outages_ns, mission_steps, step_ns),
+    )
+
+
+def _outage(windows_ns: tuple, steps: int, step_ns: int) -> NDArray[np.bool_]:
+    """Mark the steps whose instant lies in a window; its start does, its end does not."""
+    marked = np.zeros(steps, dtype=bool)
+    for start, end in windows_ns:
+        marked[-(-start // step_ns):-(-end // step_ns)] = True
+    return marked
