@@ -1,5 +1,5 @@
 """Sensor models; the table is `SENSORS`."""
 
-from rvd_dynamics.sensors.models import Multiplicative, SENSORS
+from rvd_dynamics.sensors.models import Multiplicative, SensorParams, SENSORS
 
-__all__ = ['Multiplicative', 'SENSORS']
+__all__ = ['Multiplicative', 'SENSORS', 'SensorParams']
