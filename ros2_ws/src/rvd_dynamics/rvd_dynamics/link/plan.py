@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from rvd_dynamics.link.models import LinkParams
 from rvd_dynamics.params import require
 
-UNIFORMS_PER_STEP = 9           # loss 2, held up 2, damage 2, kind of damage 2, duplicate 1
+UNIFORMS_PER_STEP = 9           # loss 2, held up 2, damage 2, duplicate 1, which damage 2
 FAR_AHEAD = 1 << 64             # where in the stream the transits begin
 
 
@@ -98,18 +98,22 @@ def draw_plan(params: LinkParams, rng: np.random.Generator, mission_steps: int, 
     uniforms = rng.random((mission_steps, UNIFORMS_PER_STEP))
     rng.bit_generator.advance(FAR_AHEAD)
     transits = params.delay_model.delays(rng, (mission_steps, 2), hold_ns / 1e9)
+    uniforms, transits = np.asfortranarray(uniforms), np.asfortranarray(transits)   # for speed
 
+    struck = uniforms[:, :7] < (
+        params.loss_fraction, params.loss_fraction, params.reorder_fraction,
+        params.reorder_fraction, params.corrupt_fraction, params.corrupt_fraction,
+        params.duplicate_fraction)
     missing = np.isnan(transits)
     transit_ns = np.rint(np.where(missing, 0.0, transits) * 1e9).astype(np.int64)
-    held_up = uniforms[:, 2:4] < params.reorder_fraction
-    transit_ns += held_up * round(params.reorder_delay_s * 1e9)
+    transit_ns += struck[:, 2:4] * round(params.reorder_delay_s * 1e9)
     return LinkPlan(
         hold_ns=hold_ns,
         transit_ns=transit_ns,
-        lost=missing | (uniforms[:, 0:2] < params.loss_fraction),
-        damaged=uniforms[:, 4:6] < params.corrupt_fraction,
-        damage=uniforms[:, 6:8],
-        duplicated=uniforms[:, 8] < params.duplicate_fraction,
+        lost=missing | struck[:, 0:2],
+        damaged=struck[:, 4:6],
+        damage=uniforms[:, 7:9],
+        duplicated=struck[:, 6],
         outage=_outage(params.outages_ns, mission_steps, step_ns),
     )
 
