@@ -18,8 +18,7 @@ from rvd_dynamics.link.models import LinkParams
 from rvd_dynamics.mission import Mission
 from rvd_dynamics.params import build, flatten, leaves
 from rvd_dynamics.recording.params import MarkerParams, RecorderParams
-from rvd_dynamics.sensors import SensorParams
-from rvd_dynamics.world import DynamicsParams
+from rvd_dynamics.world import DynamicsParams, SensorParams
 from rvd_groundstation.operators.pilot import PilotParams
 from rvd_groundstation.operators.tape import ReplayParams
 from rvd_groundstation.prediction.predictor import PredictorParams

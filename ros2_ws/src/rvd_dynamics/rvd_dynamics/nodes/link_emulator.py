@@ -9,9 +9,10 @@ Parameters  the fields of LinkParams
 The node reads the envelope only; the payload is bytes to it.
 """
 
-from rvd_dynamics.link.channel import Channel, Frame
+from rvd_dynamics.link.channel import Channel
 from rvd_dynamics.link.models import LinkParams
 from rvd_dynamics.link.plan import draw_plan
+from rvd_dynamics.link.play_out import Frame
 from rvd_dynamics.ros.conversions import empty_frame, header_at
 from rvd_dynamics.ros.run import run
 from rvd_dynamics.ros.step_node import StepNode
@@ -51,7 +52,8 @@ class LinkEmulator(StepNode):
         """Send what came in, hand on what is due."""
         frame = None
         if sent is not None and not sent.empty:
-            frame = Frame(sent.sequence, sent.sent, -1, -1, sent.expedited, bytes(sent.payload))
+            frame = Frame(sequence=sent.sequence, sent_ns=sent.sent, expedited=sent.expedited,
+                          payload=bytes(sent.payload))
         due = self._channel.advance(step, frame)
         if due is None:
             self._out.publish(empty_frame(step))
@@ -62,15 +64,15 @@ class LinkEmulator(StepNode):
         self._publish_status(step)
 
     def _publish_status(self, step: int) -> None:
-        counts, delays = self._channel.counts, self._channel.delays
+        counts, delay_s = self._channel.counts, self._channel.delay_s
         self._status.publish(LinkStatus(
             header=header_at(step * self.mission.step_ns, self.mission.frame_id), step=step,
             sent=counts.sent, duplicated=counts.duplicated, delivered=counts.delivered,
             late=counts.late, lost=counts.lost, outage=counts.outage,
             duplicate_dropped=counts.duplicate_dropped, in_flight=counts.in_flight,
             queued=counts.queued, corrupted=counts.corrupted, reordered=counts.reordered,
-            play_out_delay=self._hold_s, delay_p50=delays.p50_s, delay_p99=delays.p99_s,
-            delay_max=delays.max_s))
+            play_out_delay=self._hold_s, delay_p50=delay_s(50), delay_p99=delay_s(99),
+            delay_max=delay_s(100)))
 
 
 def main(args=None) -> None:

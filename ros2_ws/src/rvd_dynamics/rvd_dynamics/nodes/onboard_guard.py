@@ -8,10 +8,13 @@ Parameters  the fields of GuardParams
 
 from rvd_dynamics.codes import BY_GUARD, BY_NOBODY, KIND_ABORT
 from rvd_dynamics.guard.guard import Guard, GuardParams
+from rvd_dynamics.link.frame import Refusal
 from rvd_dynamics.ros.conversions import NAN, header_at
 from rvd_dynamics.ros.run import run
 from rvd_dynamics.ros.step_node import StepNode
 from rvd_interfaces.msg import LinkFrame, ThrustCommand
+
+REFUSALS = frozenset(Refusal)
 
 
 class OnboardGuard(StepNode):
@@ -19,7 +22,7 @@ class OnboardGuard(StepNode):
 
     def __init__(self) -> None:
         super().__init__('onboard_guard')
-        self._guard = Guard(self.settings(GuardParams), self.mission)
+        self._guard = Guard(self.mission, self.settings(GuardParams))
         self.step_input('/onboard/command', LinkFrame)
         self._out = self.step_output('/onboard/thruster_command', ThrustCommand)
 
@@ -32,9 +35,10 @@ class OnboardGuard(StepNode):
             sequence=decision.sequence, kind=decision.kind, levels=decision.levels,
             valid=decision.valid, pilot_weight=NAN, reason=decision.reason,
             decided_by=BY_GUARD if decision.kind == KIND_ABORT else BY_NOBODY))
-        if decision.refused:
-            self.event('REFUSED', f'command refused: {decision.reason_name}; so far '
-                       + self._guard.summary())
+        if decision.reason in REFUSALS:
+            name = Refusal(decision.reason).name
+            self.event('REFUSED', f'command refused: {name}, '
+                       f'{decision.counts[name.lower()]} so far')
 
 
 def main(args=None) -> None:

@@ -15,8 +15,8 @@ from rvd_dynamics.link.frame import pack_downlink
 from rvd_dynamics.ros.conversions import state_from_msg, state_to_msg
 from rvd_dynamics.ros.run import run
 from rvd_dynamics.ros.step_node import StepNode
-from rvd_dynamics.sensors import SENSORS, SensorParams
 from rvd_dynamics.streams import measurement_normals
+from rvd_dynamics.world import SensorParams
 from rvd_interfaces.msg import LinkFrame, RelativeState, ThrustCommand
 
 

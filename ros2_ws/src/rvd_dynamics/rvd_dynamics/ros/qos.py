@@ -33,7 +33,7 @@ def of(topic: str, joy_input: str = 'stepped') -> QoSProfile:
         return DIAGNOSTICS
     if topic == '/joy' and joy_input == 'held':
         return HELD_STICK
-    if topic == '/run/events':
+    if topic in ('/run/events', '/run/ready'):      # many writers, one queue at the reader
         return EVENTS
     if topic in ('/run/recorded_step', '/run/verdict'):
         return RING

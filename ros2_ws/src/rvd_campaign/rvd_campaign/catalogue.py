@@ -1,0 +1,68 @@
+"""
+What the project ships to choose from: laws, scenarios, tapes.
+"""
+
+import os
+from pathlib import Path
+from typing import Iterator
+
+
+def root() -> Path:
+    """
+    Return the project folder: `RVD_ROOT`, which `./rvd` sets, or the folder above this file.
+
+    Raises
+    ------
+    ValueError
+        If neither holds the shipped scenarios.
+    """
+    given = os.environ.get('RVD_ROOT')
+    candidates = [Path(given)] if given else list(Path(__file__).resolve().parents)
+    for folder in candidates:
+        if (folder / 'scenarios').is_dir() and (folder / 'scripts' / 'bringup.sh').is_file():
+            return folder
+    raise ValueError('cannot find the project folder: set RVD_ROOT to it')
+
+
+def find(kind: str, name: str, suffixes: tuple[str, ...]) -> Path:
+    """
+    Return the file that `name` means: a path as it is, or a shipped one by its bare name.
+
+    Raises
+    ------
+    ValueError
+        If there is no such file; the text lists what is shipped.
+    """
+    path = Path(name)
+    if path.exists():
+        return path
+    for suffix in suffixes:
+        shipped = root() / kind / f'{name}{suffix}'
+        if shipped.exists():
+            return shipped
+    names = ', '.join(n for n, _ in entries(kind))
+    raise ValueError(f'no {kind[:-1]} {name!r}: give a file or one of {names}')
+
+
+def entries(what: str) -> Iterator[tuple[str, str]]:
+    """Yield (name, meaning) of the shipped laws, scenarios or tapes."""
+    if what == 'laws':
+        from rvd_groundstation.guidance import LAWS
+        for name, law in LAWS.items():
+            yield name, _first_sentence(law.__doc__)
+        return
+    for path in sorted((root() / what).iterdir()):
+        if path.suffix in ('.yaml', '.csv') or (path / 'metadata.yaml').exists():
+            yield path.stem, _first_comment(path)
+
+
+def _first_sentence(doc: str | None) -> str:
+    return ' '.join((doc or '').split()).split('. ')[0].rstrip('.')
+
+
+def _first_comment(path: Path) -> str:
+    if path.is_dir():
+        return 'rosbag2 bag'
+    with path.open(encoding='utf-8') as file:
+        line = file.readline()
+    return line.lstrip('# ').strip() if line.startswith('#') else ''

@@ -1,0 +1,197 @@
+"""
+`./rvd fly`: bring the graph up, follow one approach, say how it went, leave a run folder.
+"""
+
+import argparse
+import re
+import signal
+import sys
+import time
+from pathlib import Path
+
+from rvd_campaign import catalogue, verdict
+from rvd_campaign.cli import (CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_FAILED, EXIT_INTERRUPTED)
+from rvd_campaign.domain import reserved_domain
+from rvd_campaign.scenario import load, Scenario
+from rvd_campaign.supervisor import Supervisor
+
+START_S = 30.0                  # [s] wall time for the graph to come up
+STALL_S = 10.0                  # [s] wall time without a step before the run is given up
+SHOW_S = 0.2                    # [s] wall time between two looks
+RECORDER_LEAD = 64              # [steps] see spacecraft_dynamics
+
+
+def main(args: argparse.Namespace) -> int:
+    """Fly one approach as the command line asks; return the exit code."""
+    scenario = chosen(args)
+    run_dir = new_folder(args.out, scenario.name)
+    (run_dir / 'scenario.yaml').write_text(scenario.dump(), encoding='utf-8')
+    signal.signal(signal.SIGTERM, lambda *_: signal.raise_signal(signal.SIGINT))
+    with reserved_domain() as domain:
+        print(f'{scenario.name}: mode {scenario.mission.mode}, operator '
+              f'{scenario.mission.operator}, seed {scenario.mission.seed}, '
+              f'ROS_DOMAIN_ID={domain}, {run_dir}', flush=True)
+        return Flight(scenario, run_dir, domain, args.headless).fly()
+
+
+def chosen(args: argparse.Namespace) -> Scenario:
+    """Return the scenario with what the command line changes in it."""
+    scenario = load(catalogue.find('scenarios', args.scenario, ('.yaml',)))
+    shared: dict[str, object] = dict(pace_of(args.pace))
+    operator = args.operator or ('replay' if args.tape else scenario.mission.operator)
+    if args.tape and operator != 'replay':
+        raise CannotRun(f'--tape needs --operator replay, not {operator}')
+    shared['operator'] = operator
+    shared['joy_input'] = 'held' if operator in ('joy', 'console') else 'stepped'
+    if args.mode:
+        shared['mode'] = args.mode
+    if args.seed is not None:
+        shared['seed'] = args.seed
+    scenario = scenario.with_values('/**', **shared)
+    if args.tape:
+        tape = catalogue.find('tapes', args.tape, ('.csv', ''))
+        scenario = scenario.with_values('joystick_replay', tape=str(tape))
+    if operator == 'replay':
+        from rvd_groundstation.operators.tape import read_tape
+        path = scenario.settings('joystick_replay').tape
+        if not path:
+            raise CannotRun('--operator replay needs --tape FILE (see rvd list tapes)')
+        read_tape(path)                         # a bad tape is refused before anything starts
+    return scenario
+
+
+def pace_of(text: str) -> dict[str, object]:
+    """Return the pace settings that `--pace` means."""
+    if text == 'lockstep':
+        return {'pace': 'lockstep'}
+    if text == 'realtime':
+        return {'pace': 'realtime', 'pace_factor': 1.0}
+    try:
+        return {'pace': 'realtime', 'pace_factor': float(text)}
+    except ValueError:
+        raise CannotRun(f'--pace must be lockstep, realtime or a factor, got {text!r}') from None
+
+
+def new_folder(out: str | None, name: str) -> Path:
+    """Make the run folder; one that holds something is never written into."""
+    if out is not None:
+        folder = Path(out)
+        if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
+            raise CannotRun(f'--out {folder} exists already: nothing is overwritten, '
+                            'give another folder or remove it')
+    else:
+        stem = f'{time.strftime("%Y%m%d-%H%M%S")}-{re.sub("[^A-Za-z0-9_-]", "_", name)}'
+        folder, number = Path('runs') / stem, 1
+        while folder.exists():
+            number += 1
+            folder = Path('runs') / f'{stem}-{number}'
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise CannotRun(f'cannot make the run folder {folder}: {error.strerror}') from None
+    return folder
+
+
+class Flight:
+    """One run under supervision."""
+
+    def __init__(self, scenario: Scenario, run_dir: Path, domain: int, headless: bool) -> None:
+        self._scenario = scenario
+        self._mission = scenario.mission
+        self._run_dir = run_dir
+        self._headless = headless
+        self._supervisor = Supervisor(catalogue.root() / 'scripts' / 'bringup.sh',
+                                      run_dir / 'scenario.yaml', run_dir, headless, domain)
+        from rvd_campaign.watch import FlightWatch      # imports ROS while the nodes do, too
+        self._watch = FlightWatch(self._mission, domain)
+        self._shown_at = 0.0
+        self._on_line = False
+
+    def fly(self) -> int:
+        """Follow the run to its end; every process has ended when this returns."""
+        problem, interrupted = None, False
+        try:
+            problem = self._follow()
+        except KeyboardInterrupt:
+            interrupted = True
+        finally:
+            self._supervisor.stop()
+            self._watch.spin(0.1)
+            self._watch.close()
+            self._end_line()
+        if problem is not None:
+            print(f'rvd fly: {problem}', file=sys.stderr)
+            print(f'rvd fly: logs are in {self._run_dir / "logs"}', file=sys.stderr)
+            return EXIT_CANNOT
+        content = verdict.as_dict(self._watch.verdict, self._watch.links(), self._mission,
+                                  self._scenario.name, interrupted)
+        verdict.write(self._run_dir / 'verdict.json', content)
+        print(verdict.in_words(content, self._mission), flush=True)
+        if interrupted:
+            return EXIT_INTERRUPTED
+        from rvd_campaign.report import write_report
+        print(write_report(self._run_dir), flush=True)
+        return EXIT_DONE if content['success'] else EXIT_FAILED
+
+    def _follow(self) -> str | None:
+        """Return None when the run has ended, or the sentence that says why it could not."""
+        begun = time.monotonic()
+        while True:
+            self._watch.spin(SHOW_S if self._watch.steps else 0.05)
+            self._show()
+            failures = self._supervisor.failures()
+            if failures:
+                return self._why(failures)
+            if self._supervisor.ended:
+                if self._supervisor.code != 0:
+                    return self._supervisor.complaint() or 'the bring-up failed'
+                if self._watch.verdict is None or not self._watch.verdict.final:
+                    return 'the run ended without a verdict'
+                return None
+            now = time.monotonic()
+            if not self._watch.steps and now - begun > START_S:
+                waiting = sorted(set(self._supervisor.pids) - self._watch.ready)
+                return (f'the graph did not come up in {START_S:g} s: not ready: '
+                        f'{", ".join(waiting) or "spacecraft_dynamics"}')
+            if self._stalled(now):
+                owing = self._watch.who_owes(list(self._supervisor.pids), RECORDER_LEAD)
+                return (f'no step for {STALL_S:g} s of wall time: '
+                        f'{", ".join(owing) or "no node"} owes a message')
+
+    def _stalled(self, now: float) -> bool:
+        watch, mission = self._watch, self._mission
+        if not watch.steps or watch.paused or (watch.verdict and watch.verdict.final):
+            return False
+        patience = STALL_S
+        if mission.pace == 'realtime':
+            patience = max(patience, 4.0 * mission.step_s / mission.pace_factor)
+        return now - watch.progress_at > patience
+
+    def _why(self, failures: dict[str, int]) -> str:
+        parts = []
+        for name, code in failures.items():
+            words = self._supervisor.last_words(name)
+            how = f'was ended by signal {code - 128}' if code > 128 else f'ended with code {code}'
+            parts.append(f'{name} {how}' + (f': {words}' if words else ''))
+        return '; '.join(parts)
+
+    # -- what is shown --------------------------------------------------------------------
+
+    def _show(self) -> None:
+        for event in self._watch.events:
+            self._end_line()
+            print(f'  {event.step * self._mission.step_s:.1f} s {event.node}: {event.text}')
+        self._watch.events.clear()
+        if self._headless:
+            return
+        if sys.stdout.isatty():
+            print(f'\r\x1b[K{self._watch.line()}', end='', flush=True)
+            self._on_line = True
+        elif time.monotonic() - self._shown_at > 1.0:
+            self._shown_at = time.monotonic()
+            print(self._watch.line(), flush=True)
+
+    def _end_line(self) -> None:
+        if self._on_line:
+            print()
+            self._on_line = False
