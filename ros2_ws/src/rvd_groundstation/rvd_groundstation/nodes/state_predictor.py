@@ -16,7 +16,7 @@ from rvd_dynamics.ros.conversions import header_at, levels_of, state_to_msg, vec
 from rvd_dynamics.ros.run import run
 from rvd_dynamics.ros.step_node import StepNode
 from rvd_groundstation.prediction.predictor import Predictor, PredictorParams
-from rvd_groundstation.prediction.score import Score
+from rvd_groundstation.prediction.score import Score, Scored
 from rvd_interfaces.msg import LinkFrame, PredictionScore, RelativeState, ThrustCommand
 
 NOT_RECEIVED = np.full(6, np.nan)
@@ -39,7 +39,8 @@ class StatePredictor(StepNode):
                 ) -> None:
         """Filter what came down, predict when a command sent now will act, score the past."""
         measured = self._measured(step, telemetry)
-        p = self._predictor.advance(step, measured, np.isfinite(measured).all(),
+        received = bool(np.isfinite(measured).all())
+        p = self._predictor.advance(step, measured, received,
                                     None if step == 0 else levels_of(command))
         mission, valid = self.mission, bool(p.valid)
         seen_ns = (step - mission.back_steps) * mission.step_ns
@@ -50,7 +51,7 @@ class StatePredictor(StepNode):
         self._prediction.publish(state_to_msg(
             step, acts_ns, mission.frame_id, RelativeState.SOURCE_PREDICTION, p.predicted,
             valid, covariance=p.covariance))
-        self._publish_score(step, measured, p)
+        self._publish_score(step, self._score.advance(p, measured, received))
 
     def _measured(self, step: int, telemetry: LinkFrame | None) -> np.ndarray:
         if telemetry is None or telemetry.empty:
@@ -61,8 +62,7 @@ class StatePredictor(StepNode):
             return NOT_RECEIVED
         return np.array(content.state)
 
-    def _publish_score(self, step: int, measured: np.ndarray, prediction) -> None:
-        s = self._score.advance(step, measured, prediction)
+    def _publish_score(self, step: int, s: Scored) -> None:
         self._scored.publish(PredictionScore(
             header=header_at(max(step - self.mission.back_steps, 0) * self.mission.step_ns,
                              self.mission.frame_id),
