@@ -14,19 +14,16 @@ State   last accepted sequence, the step an ABORT was accepted in, counts. No cl
 
 from dataclasses import dataclass
 
-from rvd_dynamics.link.frame import Command, HIGHEST_LEVEL, Kind, levels_in_range, Refusal
-from rvd_dynamics.link.frame import unpack_command
+from rvd_dynamics.codes import KIND_ABORT, KIND_THRUST, REASON_ABORT, REASON_EMPTY, REASON_NONE
+from rvd_dynamics.link.frame import (
+    Command, HIGHEST_LEVEL, levels_in_range, Refusal, unpack_command)
 from rvd_dynamics.mission import Mission
 from rvd_dynamics.params import param, require
 
-REASON_NONE = 0                 # REASON codes of ThrustCommand.msg that are no Refusal
-REASON_EMPTY = 1
-REASON_ABORT = 12
-
 NEUTRAL = (0, 0, 0)
 BACK_AWAY = (-HIGHEST_LEVEL, 0, 0)
-OBEYED = (Kind.THRUST, Kind.ABORT)      # the others are reserved: refused as out of range
-AGELESS = (Kind.ABORT,)
+OBEYED = (KIND_THRUST, KIND_ABORT)      # the others are reserved: refused as out of range
+AGELESS = (KIND_ABORT,)
 
 
 @dataclass(frozen=True)
@@ -73,10 +70,10 @@ class Guard:
         """Return what the thrusters do in `step`; `payload` None: the link had nothing due."""
         levels, reason, sequence = self._judge(step, payload)
         if self._abort_step is None:
-            return Decision(levels, Kind.THRUST, reason, reason == REASON_NONE, sequence,
+            return Decision(levels, KIND_THRUST, reason, reason == REASON_NONE, sequence,
                             dict(self._counts))
         burning = (step - self._abort_step) * self._step_ns < self._burn_ns
-        return Decision(BACK_AWAY if burning else NEUTRAL, Kind.ABORT, REASON_ABORT, True,
+        return Decision(BACK_AWAY if burning else NEUTRAL, KIND_ABORT, REASON_ABORT, True,
                         sequence, dict(self._counts))
 
     def _judge(self, step: int, payload: bytes | None) -> tuple[tuple, int, int]:
@@ -90,11 +87,11 @@ class Guard:
             self._counts[refusal.name.lower()] += 1
             self.refusal = int(refusal)
             return NEUTRAL, int(refusal), 0
-        if self._abort_step is not None and command.kind != Kind.ABORT:
+        if self._abort_step is not None and command.kind != KIND_ABORT:
             self._counts['ignored'] += 1
             self.refusal = REASON_ABORT
             return NEUTRAL, REASON_ABORT, 0
-        if self._abort_step is None and command.kind == Kind.ABORT:
+        if self._abort_step is None and command.kind == KIND_ABORT:
             self._abort_step = step
         self._counts['accepted'] += 1
         self.accepted_sequence = command.sequence

@@ -18,6 +18,7 @@ from enum import IntEnum
 from struct import Struct
 from zlib import crc32
 
+from rvd_dynamics import codes
 from rvd_dynamics.params import require
 
 VERSION = 1
@@ -33,24 +34,14 @@ COMMAND_BYTES = _COMMAND.size + _CRC.size
 DOWNLINK_BYTES = _DOWNLINK.size + _CRC.size
 
 
-class Kind(IntEnum):
-    """What a command asks for; the codes of ThrustCommand.msg."""
-
-    THRUST = 0
-    HOLD = 1
-    RETREAT = 2
-    ABORT = 3
-    RESUME = 4
-
-
 class Refusal(IntEnum):
-    """Why a frame was refused; the REASON codes of ThrustCommand.msg."""
+    """Why a frame was refused; a few of the REASON codes."""
 
-    LENGTH = 2
-    CHECKSUM = 3
-    ORDER = 4
-    AGE = 5
-    RANGE = 6
+    LENGTH = codes.REASON_LENGTH
+    CHECKSUM = codes.REASON_CHECKSUM
+    ORDER = codes.REASON_ORDER
+    AGE = codes.REASON_AGE
+    RANGE = codes.REASON_RANGE
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,7 +50,7 @@ class Command:
 
     sequence: int               # rising by one per frame, the first is 1
     generated_ns: int           # [ns] instant of the step it was made in
-    kind: int                   # one of Kind, or unknown
+    kind: int                   # one of codes.KIND_*, or unknown
     levels: tuple               # along x, y, z, wanted in [-3..3]
 
 
@@ -75,7 +66,7 @@ class Downlink:
 
 
 def pack_command(sequence: int, generated_ns: int, levels: Sequence[int],
-                 kind: int = Kind.THRUST) -> bytes:
+                 kind: int = codes.KIND_THRUST) -> bytes:
     """
     Return the 35 bytes of a command.
 
@@ -85,7 +76,7 @@ def pack_command(sequence: int, generated_ns: int, levels: Sequence[int],
         If a field does not fit, `kind` is unknown or a level is not -3..3.
     """
     _require_head(sequence, generated_ns)
-    require(kind in tuple(Kind), 'kind', 'be 0 to 4', kind)
+    require(codes.KIND_THRUST <= kind <= codes.KIND_RESUME, 'kind', 'be 0 to 4', kind)
     x, y, z = (int(level) for level in levels)
     require((x, y, z) == tuple(levels) and levels_in_range((x, y, z)), 'levels',
             'be whole numbers from -3 to 3', tuple(levels))
