@@ -1,0 +1,241 @@
+"""
+Kalman filter of the relative motion: all six states measured, noise in proportion to them.
+
+Frame   target orbital (+x along track, +y radially outward, +z completes the triad).
+State   (x, y, z, vx, vy, vz) [m, m/s] on the last axis; leading axes are batch axes.
+Source  the paper (Zhang, Li, Tang 2014, section 2.2) asks for a filter and names none. Ours:
+        measurement = state (1 + 0.01 N), so R = diag(0.01 max(|x_i|, floor_i))^2 + sigma_i^2;
+        process noise Q = Gamma (3e-4 m/s^2)^2 Gamma' + floor; the floors keep R regular where
+        a component is zero and belong to the filter, the sensor has none.
+
+`FILTERS` lists two. `scheduled` runs filterpy's filter once on the straight nominal approach
+and keeps its gains, one 6 x 6 sequence for every run and row. `adaptive` keeps one filterpy
+filter per row, with R from its own estimate.
+"""
+
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import NamedTuple, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rvd_dynamics.mission import Mission, StartParams
+from rvd_dynamics.orbit import cw
+from rvd_dynamics.params import param, require
+
+Array = NDArray[np.float64]
+FLOOR_STEP_S = 0.5                      # [s] step for which `process_variance_floor` is meant
+
+
+@dataclass(frozen=True)
+class FilterParams:
+    """Noise that the filter reckons with."""
+
+    process_noise_m_s2: float = param(3e-4, 'Unknown acceleration, constant in a step [m/s^2].')
+    process_variance_floor: float = param(
+        1e-10, 'Added to the variance of each element per 0.5 s [m^2, m^2/s^2].')
+    measurement_fraction: float = param(0.01, 'Measurement noise, of the measured value.')
+    position_floor_m: tuple = param(
+        (0.25, 0.3, 0.3), 'Values below which the fraction takes these instead [m].')
+    velocity_floor_m_s: tuple = param((0.25, 0.02, 0.02), 'Likewise for the rates [m/s].')
+    position_sigma_m: float = param(1e-4, 'Measurement noise that is always there [m].')
+    velocity_sigma_m_s: float = param(1e-5, 'Likewise for the rates [m/s].')
+    start_position_sigma_m: tuple = param(
+        (0.3, 0.5, 0.5), 'Uncertainty of the nominal start position [m].')
+    start_velocity_sigma_m_s: tuple = param(
+        (0.01, 0.02, 0.02), 'Uncertainty of the nominal start rates [m/s].')
+
+    def __post_init__(self) -> None:
+        for name in ('process_noise_m_s2', 'process_variance_floor'):
+            value = getattr(self, name)
+            require(0.0 <= value < float('inf'), name, 'be a number, not negative', value)
+        for name in ('measurement_fraction', 'position_sigma_m', 'velocity_sigma_m_s'):
+            value = getattr(self, name)
+            require(0.0 < value < float('inf'), name, 'be positive', value)
+        for name in ('position_floor_m', 'velocity_floor_m_s', 'start_position_sigma_m',
+                     'start_velocity_sigma_m_s'):
+            value = getattr(self, name)
+            require(len(value) == 3 and all(0.0 <= v < float('inf') for v in value), name,
+                    'be three numbers, none negative', list(value))
+
+    def measurement_variance(self, state: Array) -> Array:
+        """Return the diagonal of R (..., 6) at `state` (..., 6)."""
+        floor = np.array(self.position_floor_m + self.velocity_floor_m_s)
+        sigma = np.repeat([self.position_sigma_m, self.velocity_sigma_m_s], 3)
+        share = self.measurement_fraction * np.maximum(np.abs(state), floor)
+        return share*share + sigma*sigma
+
+    def start_covariance(self) -> Array:
+        """Return P0 (6, 6)."""
+        sigma = np.array(self.start_position_sigma_m + self.start_velocity_sigma_m_s)
+        return np.diag(sigma*sigma)
+
+    def process_covariance(self, gamma: Array, step_s: float) -> Array:
+        """Return Q (6, 6) of one step with the input matrix `gamma` (6, 3)."""
+        floor = self.process_variance_floor * step_s / FLOOR_STEP_S
+        variance = self.process_noise_m_s2 * self.process_noise_m_s2
+        return variance * (gamma @ gamma.T) + floor * np.eye(6)
+
+
+class Schedule(NamedTuple):
+    """What a filter on the nominal approach found, by telemetry step."""
+
+    gains: Array                        # (steps, 6, 6)
+    covariances: Array                  # (steps, 6, 6) posterior, no sample lost
+    measurement_variances: Array        # (steps, 6) diagonal of R
+
+
+def gain_sequence(params: FilterParams, mission: Mission, steps: int) -> Schedule:
+    """
+    Run filterpy's Kalman filter once on the straight nominal approach.
+
+    The approach is the nominal start moving on at its nominal velocity; sample 0 is measured
+    at the start itself. Covariances do not depend on what is measured, so neither do gains.
+
+    Parameters
+    ----------
+    params : FilterParams
+    mission : Mission
+    steps : int
+        Samples; the matrices of a longer schedule begin with those of a shorter one.
+
+    Returns
+    -------
+    Schedule
+        Read-only and shared between equal calls.
+    """
+    return _schedule(params, mission.start, mission.step_s, mission.orbit.mean_motion, steps)
+
+
+@lru_cache(maxsize=8)
+def _schedule(params: FilterParams, start: StartParams, step_s: float, mean_motion: float,
+              steps: int) -> Schedule:
+    kf = _filterpy_filter(params, start, step_s, mean_motion)
+    time = step_s * np.arange(steps)[:, None]
+    nominal = np.array(start.position_m) + time * np.array(start.velocity_m_s)
+    nominal = np.hstack([nominal, np.broadcast_to(start.velocity_m_s, nominal.shape)])
+    variances = params.measurement_variance(nominal)
+    gains, covariances = np.empty((2, steps, 6, 6))
+    for m in range(steps):
+        if m > 0:
+            kf.predict()
+        kf.update(kf.x, R=np.diag(variances[m]))
+        gains[m], covariances[m] = kf.K, kf.P
+    for array in (gains, covariances, variances):
+        array.flags.writeable = False
+    return Schedule(gains, covariances, variances)
+
+
+def _filterpy_filter(params: FilterParams, start: StartParams, step_s: float,
+                     mean_motion: float):
+    """Return a filterpy filter at the nominal start."""
+    from filterpy.kalman import KalmanFilter            # slow to import: scipy comes with it
+    kf = KalmanFilter(dim_x=6, dim_z=6, dim_u=3)
+    kf.x = np.array(start.position_m + start.velocity_m_s)
+    kf.F, kf.B = cw.transition(mean_motion, step_s), cw.input_matrix(mean_motion, step_s)
+    kf.H = np.eye(6)
+    kf.P, kf.Q = params.start_covariance(), params.process_covariance(kf.B, step_s)
+    return kf
+
+
+class Filter(Protocol):
+    """What `FILTERS` lists: made with (params, mission, batch, track)."""
+
+    estimate: Array                     # (..., 6) after the last `advance`, at first the start
+    covariance: Array | None            # (..., 6, 6) of it, or None when not tracked
+
+    def advance(self, m: int, accel: Array, measured: Array, received: NDArray) -> Array:
+        """Take the estimate to sample m; see `ScheduledFilter.advance`."""
+
+
+class ScheduledFilter:
+    """The filter with the gains of `gain_sequence`; one line serves (6,) and (N, 6)."""
+
+    def __init__(self, params: FilterParams, mission: Mission, batch: tuple = (),
+                 track: bool = True) -> None:
+        """
+        Start at the nominal state.
+
+        `batch` is the shape of the leading axes. `track` follows the covariance of each row
+        through the samples that it lost; the estimate does not need it.
+        """
+        n, dt = mission.orbit.mean_motion, mission.step_s
+        self._phi, self._gamma = cw.transition(n, dt), cw.input_matrix(n, dt)
+        self._schedule = gain_sequence(params, mission, mission.last_step + 1)
+        nominal = np.array(mission.start.position_m + mission.start.velocity_m_s)
+        self.estimate = np.tile(nominal, (*batch, 1))
+        self.covariance = np.tile(params.start_covariance(), (*batch, 1, 1)) if track else None
+        self._process = params.process_covariance(self._gamma, dt)
+
+    def advance(self, m: int, accel: Array, measured: Array, received: NDArray) -> Array:
+        """
+        Take the estimate to sample `m` and return it.
+
+        Parameters
+        ----------
+        m : int
+            Telemetry step: 0, 1, 2, ... in order.
+        accel : ndarray, shape (..., 3)
+            Commanded acceleration that acted on [m-1, m) [m/s^2]; not used at 0.
+        measured : ndarray, shape (..., 6)
+            Sample m; anything where `received` is false.
+        received : ndarray of bool, shape (...)
+            Rows that have the sample; the others keep the time update.
+
+        Returns
+        -------
+        ndarray, shape (..., 6)
+        """
+        prior = self.estimate
+        if m > 0:
+            prior = cw.step(prior, accel, self._phi, self._gamma)
+        innovation = np.where(received[..., None], measured - prior, 0.0)
+        self.estimate = prior + np.einsum('ij,...j->...i', self._schedule.gains[m], innovation)
+        if self.covariance is not None:
+            self.covariance = self._next_covariance(m, received)
+        return self.estimate
+
+    def _next_covariance(self, m: int, received: NDArray) -> Array:
+        """Return the covariance by Joseph's form, right for a gain that is not the optimal one."""
+        p = self.covariance
+        if m > 0:
+            p = self._phi @ p @ self._phi.T + self._process
+        gain = self._schedule.gains[m]
+        keep = np.eye(6) - gain
+        noise = (gain * self._schedule.measurement_variances[m]) @ gain.T
+        return np.where(received[..., None, None], keep @ p @ keep.T + noise, p)
+
+
+class AdaptiveFilter:
+    """One filterpy filter per row with R from its own estimate: for study, slow in a batch."""
+
+    def __init__(self, params: FilterParams, mission: Mission, batch: tuple = (),
+                 track: bool = True) -> None:
+        """Start as `ScheduledFilter` does; the covariance costs nothing here, `track` or not."""
+        self._params = params
+        self._filters = np.empty(batch, dtype=object)
+        for row in np.ndindex(batch):
+            self._filters[row] = _filterpy_filter(params, mission.start, mission.step_s,
+                                                  mission.orbit.mean_motion)
+        self._read()
+
+    def advance(self, m: int, accel: Array, measured: Array, received: NDArray) -> Array:
+        """Take the estimate to sample `m`; arguments as `ScheduledFilter.advance`."""
+        for row in np.ndindex(self._filters.shape):
+            kf = self._filters[row]
+            if m > 0:
+                kf.predict(u=accel[row])
+            if received[row]:
+                kf.update(measured[row], R=np.diag(self._params.measurement_variance(kf.x)))
+        return self._read()
+
+    def _read(self) -> Array:
+        batch = self._filters.shape
+        rows = list(self._filters.flat)
+        self.estimate = np.array([kf.x for kf in rows]).reshape(*batch, 6)
+        self.covariance = np.array([kf.P for kf in rows]).reshape(*batch, 6, 6)
+        return self.estimate
+
+
+FILTERS = {'scheduled': ScheduledFilter, 'adaptive': AdaptiveFilter}
