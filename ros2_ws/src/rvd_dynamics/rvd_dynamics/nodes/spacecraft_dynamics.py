@@ -22,7 +22,6 @@ from rvd_dynamics.orbit.models import TRUTH_MODELS
 from rvd_dynamics.ros.conversions import UNKNOWN, levels_of, state_to_msg, time_at
 from rvd_dynamics.ros.run import run
 from rvd_dynamics.ros.step_node import StepNode
-from rvd_dynamics.spacecraft.start import start_state
 from rvd_dynamics.spacecraft.thrusters import execute
 from rvd_dynamics.streams import execution_normals, start_normals
 from rvd_dynamics.world import DynamicsParams
@@ -41,8 +40,7 @@ class SpacecraftDynamics(StepNode):
         self._params = self.settings(DynamicsParams)
         self._model = TRUTH_MODELS[self._params.truth_model](mission=mission)
         self._noise = execution_normals(mission.seed, mission.run, mission.last_step + 1)
-        self._state = start_state(mission.start, self._params.scatter,
-                                  start_normals(mission.seed, mission.run))
+        self._state = self._params.start(mission, start_normals(mission.seed, mission.run))
         self._started = self._paused = False
         self._recorded = None
         self._waiting_for = set(self._names)

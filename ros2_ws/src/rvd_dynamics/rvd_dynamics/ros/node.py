@@ -14,6 +14,7 @@ import time
 from typing import Any, Callable
 
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
+from rclpy.duration import Duration
 from rclpy.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
 from rclpy.node import Node
 from rclpy.parameter import Parameter
@@ -176,7 +177,8 @@ class WatchNode(Node):
 
     def close(self) -> None:
         """Let the readers have the last messages before the writers go."""
-        from rclpy.duration import Duration
+        if not self.context.ok():               # told to stop: the graph is gone already
+            return
         for topic, publisher in self._publishers_of.items():
             if publisher.get_subscription_count() and topic not in graph.COMMON:
                 publisher.wait_for_all_acked(Duration(seconds=LINGER_S))

@@ -1,0 +1,193 @@
+"""
+A rosbag2 bag (MCAP) that keeps what it was given, whatever happens to its process or its disk.
+
+Layout      DIRECTORY/metadata.yaml, written when the bag is opened and again when it is closed
+            DIRECTORY/NAME_0.mcap, NAME being the directory's name as rosbag2 has it
+Kill -9     every message that `write` took is in the file, which then lacks its end and its
+            index; `repair` adds both
+Full disk   messages of topics that are not essential are given up first, while there is still
+            room for the others; each one that is not stored is counted
+Times       `log_ns` is what readers sort by and what playback follows; the recorder puts
+            simulation time there and wall time into `publish_ns`
+"""
+
+import os
+from collections import Counter
+from pathlib import Path
+from typing import Any, Callable
+
+from mcap.records import Channel, Footer, Metadata, Schema
+import yaml
+
+from rvd_dynamics.recording import mcap_file
+from rvd_dynamics.recording.definitions import schema_text, type_hash
+from rvd_dynamics.recording.rosbag2 import Contents, Topic, dump, write_metadata
+
+RESERVE_BYTES = 64 * 1024 * 1024                # [B] kept free for essential topics
+LOOK_EVERY_BYTES = 256 * 1024                   # [B] written between two looks at the disk
+NOTE_RECORDING = 'rvd_recording'                # metadata record: closed, trouble
+NOTE_LOST = 'rvd_lost'                          # metadata record: topic -> messages not stored
+
+
+class BagWriter:
+    """
+    Writes one bag; at most one writer has a bag, and only while it has it is it growing.
+
+    Parameters
+    ----------
+    directory : Path
+        The bag; must not exist or be empty.
+    essential : callable
+        Says of a topic whether it is worth the last of the disk.
+
+    Raises
+    ------
+    ValueError
+        If the directory holds something already.
+    OSError
+        If it cannot be written.
+    """
+
+    def __init__(self, directory: Path, essential: Callable[[str], bool] = lambda topic: True
+                 ) -> None:
+        directory.mkdir(parents=True, exist_ok=True)
+        if any(directory.iterdir()):
+            raise ValueError(f'bag directory {directory} is not empty')
+        self.directory = directory
+        self.path = directory / f'{directory.name}_0.mcap'
+        self.contents = Contents()
+        self.lost: Counter[str] = Counter()
+        self.trouble = ''                       # first thing that went wrong, one sentence
+        self._essential = essential
+        self._file = mcap_file.GrowingFile(self.path)
+        self._schemas: dict[str, int] = {}
+        self._channels: dict[str, tuple[int, Topic]] = {}
+        self._only_essential = False
+        self._reserve = min(RESERVE_BYTES, _free(directory) // 4)
+        self._look_at = LOOK_EVERY_BYTES
+        self.describe()
+
+    def add_topic(self, topic: str, kind: str, qos: list[dict[str, Any]]) -> None:
+        """
+        Open a topic; a second call for the same topic does nothing.
+
+        Raises
+        ------
+        LookupError
+            If the message type is not installed.
+        """
+        if topic in self._channels:
+            return
+        text, number = schema_text(kind), type_hash(kind)
+        entry = Topic(topic, kind, number, qos)
+        schema = self._schemas.get(kind, len(self._schemas) + 1)
+        channel = Channel(
+            id=len(self._channels) + 1, topic=topic, message_encoding='cdr', schema_id=schema,
+            metadata={'offered_qos_profiles': yaml.safe_dump(qos, sort_keys=False),
+                      'topic_type_hash': number})
+        head = () if kind in self._schemas else (
+            Schema(id=schema, name=kind, encoding='ros2msg', data=text.encode()),)
+        try:
+            self._file.append(*head, channel)
+        except OSError as error:
+            self._failed(error)
+            return
+        self._schemas[kind] = schema
+        self._channels[topic] = (channel.id, entry)
+        self.contents.topics[topic] = entry
+
+    def write(self, topic: str, data: bytes, log_ns: int, publish_ns: int, sequence: int = 0
+              ) -> bool:
+        """Store one serialised message; False if it had to be given up (and was counted)."""
+        if topic not in self._channels or (self._only_essential and not self._essential(topic)):
+            self.lost[topic] += 1
+            return False
+        channel, entry = self._channels[topic]
+        try:
+            self._file.append_message(channel, sequence, log_ns, publish_ns, data)
+        except OSError as error:
+            self.lost[topic] += 1
+            self._failed(error)
+            return False
+        self.contents.add(entry, log_ns)
+        if self._file.size >= self._look_at:
+            self._look()
+        return True
+
+    def _look(self) -> None:
+        """Leave the rest of a disk that is nearly full to the essential topics."""
+        self._look_at = self._file.size + LOOK_EVERY_BYTES
+        free = _free(self.directory)
+        if free < self._reserve and not self._only_essential:
+            self._only_essential = True
+            self._complain(f'only {free // 1024} KiB left on the disk')
+
+    def _failed(self, error: OSError) -> None:
+        self._only_essential = True
+        self._complain(f'cannot write {self.path.name}: {error.strerror}')
+
+    def _complain(self, what: str) -> None:
+        if not self.trouble:
+            self.trouble = f'{what}: keeping essential topics only, as far as they fit'
+
+    def describe(self) -> None:
+        """Write `metadata.yaml` for what the bag holds now."""
+        try:
+            write_metadata(self.directory, dump(self.contents, self.path.name))
+        except OSError as error:
+            self._failed(error)
+
+    def close(self, notes: dict[str, dict[str, str]] | None = None) -> None:
+        """
+        Finish the bag: `notes` and the losses go in as metadata records, then the index.
+
+        What the disk does not take is left out; what was stored stays readable.
+        """
+        notes = {**(notes or {}), NOTE_LOST: {t: str(n) for t, n in self.lost.items()},
+                 NOTE_RECORDING: {'closed': 'true', 'trouble': self.trouble}}
+        try:
+            self._file.append(*(Metadata(name=n, metadata=v) for n, v in notes.items()))
+            self._file.finish()
+            if _free(self.directory) > self._file.size + self._reserve:
+                mcap_file.rewrite(self.path, {})
+        except OSError as error:
+            self._failed(error)
+        self.describe()
+        self._file.close()
+
+
+def _free(directory: Path) -> int:
+    disk = os.statvfs(directory)
+    return disk.f_bavail * disk.f_frsize
+
+
+def repair(directory: Path) -> bool:
+    """
+    Give a bag that was cut off its end, its index and its `metadata.yaml`; True if it did.
+
+    A bag that is complete, or that a recorder is still writing, is left alone. The bag goes on
+    saying that it was not closed (metadata record `rvd_recording`).
+
+    Raises
+    ------
+    OSError
+        If the disk does not take it; the bag is as it was.
+    """
+    repaired = False
+    for path in sorted(directory.glob('*.mcap')):
+        last = None
+        for last in mcap_file.records(path):
+            pass
+        if isinstance(last, Footer):
+            continue
+        handle = mcap_file.lock(path)
+        if handle is None:
+            continue
+        try:
+            notes = {NOTE_RECORDING: {'closed': 'false', 'trouble': 'cut off, then repaired'}}
+            contents = mcap_file.rewrite(path, notes)
+            write_metadata(directory, dump(contents, path.name))
+            repaired = True
+        finally:
+            os.close(handle)
+    return repaired

@@ -1,0 +1,77 @@
+"""
+The step of a serialised message, read from its bytes without decoding it.
+
+Source  CDR, little endian as ROS 2 writes it: 4 bytes of encapsulation, then the fields, each
+        aligned to its size from there on. A header is a stamp (two 4-byte numbers) and a name
+        (4-byte length, characters, a zero).
+"""
+
+import struct
+from typing import Callable
+
+HEADER_THEN_STEP = frozenset(f'rvd_interfaces/msg/{name}' for name in (
+    'RelativeState', 'ThrustCommand', 'LinkStatus', 'PredictionScore', 'Verdict', 'RunEvent'))
+STEP_FIRST = frozenset(('rvd_interfaces/msg/LinkFrame',))
+STAMP_FIRST = frozenset(('sensor_msgs/msg/Joy', 'rosgraph_msgs/msg/Clock'))
+NS_PER_S = 1_000_000_000
+_STEP = struct.Struct('<Q')
+_STAMP = struct.Struct('<iI')
+_LENGTH = struct.Struct('<I')
+
+
+def _after_header(data: bytes) -> int:
+    end = 16 + _LENGTH.unpack_from(data, 12)[0]         # of the name, from the start of `data`
+    return _STEP.unpack_from(data, 4 + ((end - 4 + 7) & ~7))[0]
+
+
+def _first(data: bytes) -> int:
+    return _STEP.unpack_from(data, 4)[0]
+
+
+def step_reader(kind: str, step_ns: int) -> Callable[[bytes], int] | None:
+    """
+    Return the function that reads the step of serialised messages of type `kind`.
+
+    Joy and Clock carry no step: theirs is the stamp in steps of `step_ns`. None if messages of
+    this type belong to no step. The function raises `struct.error` for bytes that are too few.
+    """
+    if kind in HEADER_THEN_STEP:
+        return _after_header
+    if kind in STEP_FIRST:
+        return _first
+    if kind in STAMP_FIRST:
+        def stamped(data: bytes) -> int:
+            seconds, nanoseconds = _STAMP.unpack_from(data, 4)
+            return (seconds * NS_PER_S + nanoseconds) // step_ns
+        return stamped
+    return None
+
+
+class StepLedger:
+    """Counts, for topics that get one message per step, the steps that never came."""
+
+    def __init__(self) -> None:
+        self.last: dict[str, int] = {}
+        self.missing: dict[str, int] = {}
+
+    def expect(self, topic: str) -> None:
+        """Hold `topic` to one message per step from step 0 on."""
+        self.last[topic] = -1
+        self.missing[topic] = 0
+
+    def saw(self, topic: str, step: int) -> None:
+        """Note a message; one for a step that is past does not undo a gap."""
+        last = self.last[topic]
+        if step > last:
+            self.missing[topic] += step - last - 1
+            self.last[topic] = step
+
+    def reached(self, step: int) -> bool:
+        """Say whether every topic has come to `step`."""
+        return all(last >= step for last in self.last.values())
+
+    def end(self, step: int) -> None:
+        """Count as missing what did not come up to the last step of the run."""
+        for topic, last in self.last.items():
+            self.missing[topic] += max(step - last, 0)
+            self.last[topic] = max(step, last)
