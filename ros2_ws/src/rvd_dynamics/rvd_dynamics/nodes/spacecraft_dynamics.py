@@ -46,7 +46,7 @@ class SpacecraftDynamics(StepNode):
         self._waiting_for = set(self._names)
         self.step_input('/onboard/thruster_command', ThrustCommand, lag=1)
         self._truth = self.step_output('/truth/relative_state', RelativeState)
-        self._clock = self.step_output('/clock', Clock)
+        self._clock_out = self.step_output('/clock', Clock)
         self._end = self.writer('/run/end', UInt64)
         self.watch('/run/ready', String, self._on_ready)
         self.watch('/run/pause', Bool, self._on_pause)
@@ -78,7 +78,7 @@ class SpacecraftDynamics(StepNode):
             self.final_step = step
             self._end.publish(UInt64(data=step))
         now = step * self.mission.step_ns
-        self._clock.publish(Clock(clock=time_at(now)))
+        self._clock_out.publish(Clock(clock=time_at(now)))
         self._truth.publish(state_to_msg(
             step, now, self.mission.frame_id, RelativeState.SOURCE_TRUTH, self._state,
             valid=bool(np.isfinite(self._state).all()), final=final, acceleration=acceleration))
