@@ -1,7 +1,7 @@
 """
 Motion between two samples: the cubic Hermite arc, in Bernstein form.
 
-Arrays  control points (4, 3, K) [m]: point, axis, arc; fraction s in [0, 1] of the arc.
+Arrays  control points (3, 4, K) [m]: axis, point, arc; fraction s in [0, 1] of the arc.
 Valid   error h^4/384 max|x''''|: below 1e-10 m for orbital motion under thrust that is
         constant over a step of at most 1 s.
 
@@ -24,15 +24,12 @@ PASSES = 2
 
 
 def control_points(start: Array, end: Array, dt: float) -> Array:
-    """Return the control points (4, 3, K) between states (6, K) that lie `dt` [s] apart."""
+    """Return the control points (3, 4, K) between states (6, K) that lie `dt` [s] apart."""
     third = dt / 3.0
-    points = np.empty((4, 3, start.shape[1]))
-    points[0] = start[:3]
-    np.multiply(start[3:], third, out=points[1])
-    points[1] += start[:3]
-    np.multiply(end[3:], -third, out=points[2])
-    points[2] += end[:3]
-    points[3] = end[:3]
+    points = np.empty((3, 4, start.shape[1]))
+    points[:, 0], points[:, 3] = start[:3], end[:3]
+    np.add(start[:3], third*start[3:], out=points[:, 1])
+    np.subtract(end[:3], third*end[3:], out=points[:, 2])
     return points
 
 
@@ -40,14 +37,14 @@ def position(points: Array, s: Array) -> Array:
     """Return positions (3, K, ...) at fractions `s` (K, ...) of the arcs; exact at 0 and 1."""
     t = 1.0 - s
     p = points.reshape(points.shape + (1,) * (s.ndim - 1))
-    return t*t*t*p[0] + (3.0*t*t*s)*p[1] + (3.0*t*s*s)*p[2] + s*s*s*p[3]
+    return t*t*t*p[:, 0] + (3.0*t*t*s)*p[:, 1] + (3.0*t*s*s)*p[:, 2] + s*s*s*p[:, 3]
 
 
 def velocity(points: Array, s: Array, dt: float) -> Array:
     """Return velocities (3, K) [m/s] at fractions `s` (K,) of arcs of duration `dt` [s]."""
     t = 1.0 - s
-    first, second, third = points[1:] - points[:-1]
-    return (3.0/dt) * (t*t*first + 2.0*t*s*second + s*s*third)
+    legs = points[:, 1:] - points[:, :-1]
+    return (3.0/dt) * (t*t*legs[:, 0] + 2.0*t*s*legs[:, 1] + s*s*legs[:, 2])
 
 
 def lowest(value: Function, end: Array) -> tuple[Array, Array]:

@@ -35,7 +35,13 @@ def signed_distance(position: ArrayLike, corridor: CorridorParams) -> Array:
     gets, it is a lower bound.
     """
     x, y, z = _components(position)
-    return _distance(x, np.sqrt(y*y + z*z), corridor)
+    return distance_at(x, np.sqrt(y*y + z*z), corridor)
+
+
+def distance_at(x: ArrayLike, rho: ArrayLike, corridor: CorridorParams) -> Array:
+    """Return `signed_distance` from stations x [m] and distances rho from the axis [m]."""
+    c = cos(corridor.alpha)
+    return (corridor.docking_radius_m*c - sin(corridor.alpha)*x) - c*rho
 
 
 def unsigned_distance(position: ArrayLike, corridor: CorridorParams) -> Array:
@@ -150,12 +156,6 @@ def control_boundary(x: ArrayLike, corridor: CorridorParams, n: float, rate: flo
 def _components(position: ArrayLike) -> tuple[Array, Array, Array]:
     position = np.asarray(position, dtype=float)
     return position[..., 0], position[..., 1], position[..., 2]
-
-
-def _distance(x: Array, rho: Array, corridor: CorridorParams) -> Array:
-    """Return the signed distance from station and distance from the axis."""
-    c = cos(corridor.alpha)
-    return (corridor.docking_radius_m*c - sin(corridor.alpha)*x) - c*rho
 
 
 def _reciprocal(rho: Array) -> Array:

@@ -13,11 +13,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rvd_dynamics import arc, corridor
+from rvd_dynamics import arc
+from rvd_dynamics.excursion import Excursion
 from rvd_dynamics.mission import Mission
 
-# Of several reasons the first in this order is given, and leaving the corridor before a
-# time-out.
+# Of several reasons the lowest number is given.
 (UNDER_WAY, DOCKED, INVALID, LEFT_CORRIDOR, CLOSING_RATE, OFFSET, LATERAL_RATE,
  TIMEOUT) = range(8)
 REASONS = np.array(['', 'docked', 'invalid', 'left_corridor', 'closing_rate', 'offset',
@@ -57,12 +57,11 @@ class Judge:
         n = int(np.prod(batch, dtype=int))
         self._step = -1
         self._state = np.full((6, n), np.nan)
-        self._reason = np.full(n, UNDER_WAY)
+        self._excursion = Excursion(n, mission.corridor, mission.step_s)
         self._live = np.ones(n, dtype=bool)
+        self._reason = np.full(n, UNDER_WAY)
         self._end_time = np.full(n, np.nan)
         self._x_rate, self._offset, self._lateral_rate = np.full((3, n), np.nan)
-        self._margin = np.full(n, np.nan)
-        self._exit_time, self._exit_position = np.full(n, np.nan), np.full((3, n), np.nan)
         self._delta_v = np.zeros(n)
 
     @property
@@ -74,13 +73,8 @@ class Judge:
         """Take the state (..., 6) of step 0; one that is not before the plane is invalid."""
         self._state = self._columns(state, 6)
         self._step = 0
-        x, y, z = self._state[:3]
-        self._refuse(~(np.isfinite(self._state).all(axis=0) & (x < 0.0)))
-        margin = self._distance(self._state[:3])
-        self._margin = np.where(self._live, margin, np.nan)
-        outside = self._live & (margin <= 0.0)
-        self._exit_time[outside] = 0.0
-        self._exit_position[:, outside] = self._state[:3, outside]
+        self._end(~(np.isfinite(self._state).all(axis=0) & (self._state[0] < 0.0)), INVALID, 0)
+        self._excursion.start(self._state[:3], self._live)
 
     def advance(self, step: int, state: ArrayLike, accel: ArrayLike) -> None:
         """
@@ -97,124 +91,68 @@ class Judge:
         self._step = step
         start, self._state = self._state, self._columns(state, 6)
         accel = np.abs(self._columns(accel, 3))
-        known = np.isfinite(self._state).all(axis=0) & np.isfinite(accel).all(axis=0)
-        if not known.all():
-            self._refuse(~known)
-        if not self._live.any():
-            return
+        if not (np.isfinite(self._state).all() and np.isfinite(accel).all()):
+            known = np.isfinite(self._state).all(axis=0) & np.isfinite(accel).all(axis=0)
+            self._end(self._live & ~known, INVALID, step - 1)
         points = arc.control_points(start, self._state, self._mission.step_s)
-        docked, end = self._docking(points)
-        self._follow(points, docked, end)
-        np.add(self._delta_v, (accel[0] + accel[1] + accel[2]) * (end*self._mission.step_s),
+        docked, flown = self._docking(points)
+        self._excursion.follow(step, points, self._live, docked, flown)
+        np.add(self._delta_v, (accel[0] + accel[1] + accel[2]) * (flown*self._mission.step_s),
                out=self._delta_v, where=self._live)
         if docked.any():
-            self._judge_docking(points, docked, end)
+            self._judge_docking(points, docked, flown)
         if step >= self._mission.last_step:
-            self._time_out()
+            self._end(self._live.copy(), TIMEOUT, step)
 
     def verdict(self, final: bool = False) -> Verdict:
         """Return the judgement so far; with `final` a run still under way has timed out."""
-        reason = self._reason.copy()
-        if final:
-            reason[self._live] = self._failure(np.full(reason.size, TIMEOUT))[self._live]
+        margin, exit_time, exit_position = self._excursion.result()
+        reason = np.where(self._live & final, TIMEOUT, self._reason)
+        judged = (reason != UNDER_WAY) & (reason != INVALID)
+        reason[judged & ~np.isnan(exit_time)] = LEFT_CORRIDOR       # it came first
         duration = np.where(self._live, max(self._step, 0)*self._mission.step_s, self._end_time)
-        flat = (reason == DOCKED, REASONS[reason], duration, self._x_rate, self._offset,
-                self._lateral_rate, self._margin, self._exit_time)
-        fields = [field.reshape(self._batch) for field in flat]
-        exit_position = self._exit_position.T.reshape((*self._batch, 3)).copy()
-        fields += [exit_position, self._delta_v.reshape(self._batch)]
-        if not self._batch:                         # plain numbers and text for a message
-            fields = [field.item() if field.ndim == 0 else field for field in fields]
-        else:
-            fields = [field.copy() for field in fields]
-        return Verdict(*fields)
-
-    # -- the criteria ---------------------------------------------------------------------
+        fields = (reason == DOCKED, REASONS[reason], duration, self._x_rate, self._offset,
+                  self._lateral_rate, margin, exit_time, exit_position.T, self._delta_v)
+        shaped = (field.reshape(self._batch + field.shape[1:]).copy() for field in fields)
+        return Verdict(*(field if field.ndim else field.item() for field in shaped))
 
     def _docking(self, points: arc.Array) -> tuple[NDArray[np.bool_], arc.Array]:
         """Return which live runs reach x = 0 on this arc, and the fraction that each flies."""
-        end = np.ones(points.shape[2])
-        docked = self._live & (points[1:, 0].max(axis=0) >= 0.0)    # hull: can reach it
+        flown = np.ones(points.shape[-1])
+        docked = self._live & (points[0, 3] >= 0.0)
+        touching = self._live & (points[0, 1:].max(axis=0) >= 0.0) & ~docked    # by the hull
+        if touching.any():                          # there and back between two samples?
+            rows = np.flatnonzero(touching)
+            closest, least = arc.lowest(_to_go(points[:1, :, rows]), flown[rows])
+            docked[rows] = least <= 0.0
+            flown[rows] = np.where(docked[rows], closest, 1.0)
         if docked.any():
             rows = np.flatnonzero(docked)
-            near = points[:, :, rows]
-
-            def to_go(s):
-                return -arc.position(near[:, :1], s)[0]
-
-            closest, least = arc.lowest(to_go, end[rows])
-            # a sample behind the plane has crossed it, however the rounding falls
-            closest = np.where(near[3, 0] >= 0.0, 1.0, closest)
-            docked[rows] = (least <= 0.0) | (near[3, 0] >= 0.0)
-            root = arc.first_not_positive(to_go, closest)
-            end[rows] = np.where(docked[rows], root, 1.0)
-        return docked, end
-
-    def _follow(self, points: arc.Array, docked: NDArray[np.bool_], end: arc.Array) -> None:
-        """Keep the least margin and the first exit of live runs up to fraction `end`."""
-        bound = self._distance(points[1:].transpose(1, 0, 2))       # inner, inner, sample
-        sampled = self._live & ~docked
-        np.minimum(self._margin, bound[2], out=self._margin, where=sampled)
-        lower = np.minimum(bound[0], bound[1]) < self._margin       # hull: may be lower inside
-        inside = docked | (sampled & lower)
-        worst = end
-        if inside.any():
-            rows = np.flatnonzero(inside)
-            worst = end.copy()
-            worst[rows], least = arc.lowest(self._along(points[:, :, rows]), end[rows])
-            self._margin[rows] = np.minimum(self._margin[rows], least)
-        leaving = self._live & (self._margin <= 0.0) & np.isnan(self._exit_time)
-        if leaving.any():
-            rows = np.flatnonzero(leaving)
-            part = points[:, :, rows]
-            s = arc.first_not_positive(self._along(part), worst[rows])
-            self._exit_time[rows] = (self._step - 1 + s) * self._mission.step_s
-            self._exit_position[:, rows] = arc.position(part, s)
+            flown[rows] = arc.first_not_positive(_to_go(points[:1, :, rows]), flown[rows])
+        return docked, flown
 
     def _judge_docking(self, points: arc.Array, docked: NDArray[np.bool_],
-                       end: arc.Array) -> None:
+                       flown: arc.Array) -> None:
         """Close the runs that have reached x = 0."""
         rows = np.flatnonzero(docked)
         limits = self._mission.docking
-        part, s = points[:, :, rows], end[rows]
+        part, s = points[:, :, rows], flown[rows]
         _, y, z = arc.position(part, s)
         vx, vy, vz = arc.velocity(part, s, self._mission.step_s)
         offset, lateral_rate = np.sqrt(y*y + z*z), np.sqrt(vy*vy + vz*vz)
-        self._x_rate[rows], self._offset[rows], self._lateral_rate[rows] = (
-            vx, offset, lateral_rate)
         reason = np.full(rows.size, DOCKED)
         reason[~(lateral_rate < limits.max_lateral_rate_m_s)] = LATERAL_RATE
         reason[~(offset < self._mission.corridor.docking_radius_m)] = OFFSET
         reason[~((vx > 0.0) & (vx < limits.max_closing_rate_m_s))] = CLOSING_RATE
-        self._end(docked, self._failure(reason, rows), (self._step - 1 + s))
-
-    def _time_out(self) -> None:
-        rows = np.flatnonzero(self._live)
-        reason = self._failure(np.full(rows.size, TIMEOUT), rows)
-        self._end(self._live.copy(), reason, self._step)
-
-    def _refuse(self, broken: NDArray[np.bool_]) -> None:
-        """Close live runs whose truth is unknown; they were known up to the step before."""
-        self._end(broken & self._live, INVALID, max(self._step - 1, 0))
-
-    def _failure(self, reason: NDArray, rows: Any = slice(None)) -> NDArray:
-        """Return `reason`, or that the corridor was left: it comes first."""
-        return np.where(np.isnan(self._exit_time[rows]), reason, LEFT_CORRIDOR)
+        self._x_rate[rows], self._offset[rows], self._lateral_rate[rows] = (
+            vx, offset, lateral_rate)
+        self._end(docked, reason, self._step - 1 + s)
 
     def _end(self, which: NDArray[np.bool_], reason: ArrayLike, steps: ArrayLike) -> None:
+        """Close the runs `which` with a reason, `steps` (fractions too) after the start."""
         self._reason[which] = reason
         self._end_time[which] = np.asarray(steps) * self._mission.step_s
         self._live &= ~which
-
-    # -- geometry -------------------------------------------------------------------------
-
-    def _along(self, points: arc.Array) -> arc.Function:
-        """Return the corridor margin as a function of the fraction of each arc."""
-        return lambda s: self._distance(arc.position(points, s))
-
-    def _distance(self, position: arc.Array) -> arc.Array:
-        """Return signed distances to the wall of positions (3, ...)."""
-        return corridor.signed_distance(np.moveaxis(position, 0, -1), self._mission.corridor)
 
     def _columns(self, rows: ArrayLike, width: int) -> arc.Array:
         """Return a private copy (width, N) of an argument (..., width)."""
@@ -222,3 +160,8 @@ class Judge:
         if rows.shape != (*self._batch, width):
             raise ValueError(f'expected shape {(*self._batch, width)}, got {rows.shape}')
         return np.array(rows.reshape(-1, width).T, order='C')
+
+
+def _to_go(points: arc.Array) -> arc.Function:
+    """Return the way left to the docking plane as a function of the fraction of each arc."""
+    return lambda s: -arc.position(points, s)[0]
