@@ -21,7 +21,7 @@ from rvd_dynamics.link.models import LinkParams
 from rvd_dynamics.params import require
 
 UNIFORMS_PER_STEP = 9           # loss 2, held up 2, damage 2, duplicate 1, which damage 2
-FAR_AHEAD = 1 << 64             # where in the stream the transits begin
+FAR_AHEAD = 1 << 64             # draw of the stream with which the transits begin
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,7 +96,7 @@ def draw_plan(params: LinkParams, rng: np.random.Generator, mission_steps: int, 
     require(hold_steps >= 0, 'hold_steps', 'not be negative', hold_steps)
     hold_ns = hold_steps * step_ns
     uniforms = rng.random((mission_steps, UNIFORMS_PER_STEP))
-    rng.bit_generator.advance(FAR_AHEAD)
+    rng.bit_generator.advance(FAR_AHEAD - uniforms.size)    # to one place, whatever the length
     transits = params.delay_model.delays(rng, (mission_steps, 2), hold_ns / 1e9)
     uniforms, transits = np.asfortranarray(uniforms), np.asfortranarray(transits)   # for speed
 
