@@ -73,7 +73,8 @@ class Judge:
         """Take the state (..., 6) of step 0; one that is not before the plane is invalid."""
         self._state = self._columns(state, 6)
         self._step = 0
-        self._end(~(np.isfinite(self._state).all(axis=0) & (self._state[0] < 0.0)), INVALID, 0)
+        known = np.isfinite(self._state).all(axis=0) & (self._state[0] < 0.0)
+        self._end(~known, INVALID, 0)
         self._excursion.start(self._state[:3], self._live)
 
     def advance(self, step: int, state: ArrayLike, accel: ArrayLike) -> None:
@@ -94,6 +95,9 @@ class Judge:
         if not (np.isfinite(self._state).all() and np.isfinite(accel).all()):
             known = np.isfinite(self._state).all(axis=0) & np.isfinite(accel).all(axis=0)
             self._end(self._live & ~known, INVALID, step - 1)
+            self._state[:, ~known] = np.nan         # not inf, which would only make noise
+        if not self._live.any():
+            return
         points = arc.control_points(start, self._state, self._mission.step_s)
         docked, flown = self._docking(points)
         self._excursion.follow(step, points, self._live, docked, flown)
