@@ -1,0 +1,62 @@
+# Where the set-up lives, and whether it is up to date. Sourced by `rvd` and `scripts/setup.sh`.
+#
+# Expects `root`, the project's directory. It starts no Python and one process (sha256sum), since
+# every warm call of `./rvd` passes through here.
+
+state=$root/.rvd
+venv=$state/venv
+
+die() {                                         # one line, exit 2: nothing was run
+    printf 'rvd: %s\n' "$*" >&2
+    exit 2
+}
+
+# Set `ros` to the prefix of an installed ROS 2 Jazzy, to `sourced` when the shell has one loaded
+# from elsewhere, or to `wheels`. RVD_ROS_PREFIX names another prefix; `none` asks for the wheels.
+find_ros() {
+    local prefix=${RVD_ROS_PREFIX:-/opt/ros/jazzy}
+    if [[ $prefix == none ]]; then
+        ros=wheels
+    elif [[ -r $prefix/setup.bash ]]; then
+        ros=$prefix
+    elif [[ -n ${RVD_ROS_PREFIX:-} ]]; then
+        die "RVD_ROS_PREFIX=$prefix holds no setup.bash"
+    elif [[ ${ROS_DISTRO:-} == jazzy && -n ${AMENT_PREFIX_PATH:-} ]]; then
+        ros=sourced
+    else
+        ros=wheels
+    fi
+}
+
+# Print what the set-up was made from: compared as text with what was printed then.
+# The version goes up when the steps of setup.sh change in a way that old results do not satisfy.
+venv_inputs() {
+    echo "version 1, ROS $ros"
+    sha256sum "$root/requirements.lock"
+}
+
+build_inputs() {
+    local LC_ALL=C src=$root/ros2_ws/src files
+    shopt -s nullglob
+    files=("$src"/*/{package.xml,setup.py,setup.cfg,CMakeLists.txt} "$src"/*/{msg,srv,action}/*)
+    shopt -u nullglob
+    sha256sum "${files[@]}"
+}
+
+recorded() {                                    # recorded FILE: its text, nothing when missing
+    [[ -r $1 ]] && printf '%s' "$(<"$1")"
+}
+
+same_python() {                                 # the Python asked for, if any, is the one in use
+    [[ -x $venv/bin/python ]] || return 1
+    [[ -z ${RVD_PYTHON:-} ]] && return
+    local asked base
+    { read -r asked; read -r base; } < "$state/python" 2> /dev/null || return 1
+    [[ $RVD_PYTHON == "$asked" || $RVD_PYTHON == "$base" ]]
+}
+
+up_to_date() {
+    find_ros
+    [[ -r $state/done && -r $state/env.sh ]] && same_python &&
+        [[ "$(venv_inputs; build_inputs)" == "$(<"$state/done")" ]]
+}
