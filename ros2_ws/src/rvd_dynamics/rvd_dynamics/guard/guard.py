@@ -15,13 +15,12 @@ State   last accepted sequence, the step an ABORT was accepted in, counts. No cl
 from dataclasses import dataclass
 
 from rvd_dynamics.codes import KIND_ABORT, KIND_THRUST, REASON_ABORT, REASON_EMPTY, REASON_NONE
-from rvd_dynamics.link.frame import (
-    Command, HIGHEST_LEVEL, levels_in_range, Refusal, unpack_command)
+from rvd_dynamics.link.frame import Command, LEVELS, levels_in_range, Refusal, unpack_command
 from rvd_dynamics.mission import Mission
 from rvd_dynamics.params import param, require
 
 NEUTRAL = (0, 0, 0)
-BACK_AWAY = (-HIGHEST_LEVEL, 0, 0)
+BACK_AWAY = (LEVELS[0], 0, 0)
 OBEYED = (KIND_THRUST, KIND_ABORT)      # the others are reserved: refused as out of range
 AGELESS = (KIND_ABORT,)
 

@@ -25,7 +25,7 @@ VERSION = 1
 KEY = 0                         # no key yet: a CRC stands where a signature will
 SESSION = 0                     # no sessions yet
 STATE = 0                       # kind of a downlink: a measured relative state
-HIGHEST_LEVEL = 3
+LEVELS = range(-3, 4)           # what the thrusters know
 
 _COMMAND = Struct('<BHQQqB3b')
 _DOWNLINK = Struct('<BHQQqB6dQB')
@@ -77,10 +77,11 @@ def pack_command(sequence: int, generated_ns: int, levels: Sequence[int],
     """
     _require_head(sequence, generated_ns)
     require(codes.KIND_THRUST <= kind <= codes.KIND_RESUME, 'kind', 'be 0 to 4', kind)
-    x, y, z = (int(level) for level in levels)
-    require((x, y, z) == tuple(levels) and levels_in_range((x, y, z)), 'levels',
-            'be whole numbers from -3 to 3', tuple(levels))
-    return _sealed(_COMMAND.pack(VERSION, KEY, SESSION, sequence, generated_ns, kind, x, y, z))
+    levels = tuple(levels)
+    require(len(levels) == 3 and levels_in_range(levels), 'levels',
+            'be three whole numbers from -3 to 3', levels)      # before int(): NaN has no int
+    return _sealed(_COMMAND.pack(VERSION, KEY, SESSION, sequence, generated_ns, kind,
+                                 *(int(level) for level in levels)))
 
 
 def unpack_command(payload: bytes) -> Command | Refusal:
@@ -127,8 +128,8 @@ def unpack_downlink(payload: bytes) -> Downlink | Refusal:
 
 
 def levels_in_range(levels: tuple) -> bool:
-    """Say whether every level is one that the thrusters know."""
-    return all(-HIGHEST_LEVEL <= level <= HIGHEST_LEVEL for level in levels)
+    """Say whether every level is one that the thrusters know (NaN and 1.5 are not)."""
+    return all(level in LEVELS for level in levels)
 
 
 def _sealed(body: bytes) -> bytes:
