@@ -1,0 +1,20 @@
+"""
+Settings of every test: fast ones first, and property tests that do not depend on the clock.
+"""
+
+import os
+
+from hypothesis import settings
+
+# No deadlines, since the cores are shared with the processes of other tests. With CI set, the same
+# examples each time.
+settings.register_profile('rvd', deadline=None)
+settings.register_profile('rvd_ci', deadline=None, derandomize=True, print_blob=True)
+settings.load_profile('rvd_ci' if os.environ.get('CI') else 'rvd')
+
+
+def pytest_collection_modifyitems(items):
+    """
+    Run what is quick to fail first; within fast and slow the order of the files stays.
+    """
+    items.sort(key=lambda item: item.get_closest_marker('slow') is not None)
