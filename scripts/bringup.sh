@@ -101,7 +101,7 @@ while [ ${#name_of[@]} -gt 0 ]; do
     pid=
     wait -n -p pid
     code=$?
-    [ -n "$pid" ] && [ -n "${name_of[$pid]:-}" ] || continue       # a signal, not an end
+    [ -n "${pid:-}" ] || continue                          # a signal, not an end
     echo "exit ${name_of[$pid]} $code"
     [ "$code" = 0 ] || failed=$code
     unset "name_of[$pid]"

@@ -41,7 +41,7 @@ class CommandBlender(StepNode):
         self._sharing = self.settings(BlenderParams).selected
         self._mode = self.mission.mode
         self._abort = False
-        self._held: tuple[float, Joy] | None = None
+        self._newest: tuple[float, Joy] | None = None
         self._stepped = ('/joy', 0) in self.spec.fires_on
         if self._stepped:
             self.step_input('/joy', Joy)
@@ -84,12 +84,12 @@ class CommandBlender(StepNode):
     # -- the held stick -------------------------------------------------------------------
 
     def _hold(self, joy: Joy) -> None:
-        self._held = (time.monotonic(), joy)
+        self._newest = (time.monotonic(), joy)
 
     def _newest_joy(self) -> Joy | None:
-        if self._held is None or time.monotonic() - self._held[0] > HELD_FOR_S:
+        if self._newest is None or time.monotonic() - self._held[0] > HELD_FOR_S:
             return None
-        return self._held[1]
+        return self._newest[1]
 
     # -- control --------------------------------------------------------------------------
 
