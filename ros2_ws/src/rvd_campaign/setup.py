@@ -3,8 +3,7 @@
 from setuptools import find_packages, setup
 
 NAME = 'rvd_campaign'
-NODES = [
-]
+NODES = []
 
 setup(
     name=NAME,
@@ -15,6 +14,7 @@ setup(
         ('share/' + NAME, ['package.xml']),
     ],
     install_requires=['setuptools'],
+    extras_require={'test': ['pytest']},         # by this `colcon test` knows to run pytest
     zip_safe=False,
     maintainer='The RVD ground loop maintainers',
     maintainer_email='maintainers@example.org',

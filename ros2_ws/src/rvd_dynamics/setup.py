@@ -22,10 +22,11 @@ setup(
         ('share/' + NAME, ['package.xml']),
     ],
     install_requires=['setuptools'],
+    extras_require={'test': ['pytest']},         # by this `colcon test` knows to run pytest
     zip_safe=False,
     maintainer='The RVD ground loop maintainers',
     maintainer_email='maintainers@example.org',
-    description='World, link and shared mathematics of the teleoperated rendezvous and docking ground loop.',
+    description='World, link and shared mathematics of the teleoperated docking ground loop.',
     license='Apache-2.0',
     entry_points={'console_scripts': [f'{node} = {NAME}.nodes.{node}:main' for node in NODES]},
 )

@@ -20,6 +20,7 @@ setup(
         ('share/' + NAME, ['package.xml']),
     ],
     install_requires=['setuptools'],
+    extras_require={'test': ['pytest']},         # by this `colcon test` knows to run pytest
     zip_safe=False,
     maintainer='The RVD ground loop maintainers',
     maintainer_email='maintainers@example.org',
