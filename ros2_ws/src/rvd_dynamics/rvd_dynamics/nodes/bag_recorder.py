@@ -1,0 +1,217 @@
+"""
+ROS shell of the bag writer: every topic of the run, as it came, into a rosbag2 MCAP bag.
+
+Watches     every topic of the graph, and once a second whatever else has appeared
+Publishes   /run/recorded_step      std_msgs/UInt64, every 16 steps: in lock step the dynamics
+            do not run further ahead of it than they must
+Parameters  the fields of RecorderParams
+
+The scenario is the first message. A message's log time is the simulation time of its step (of
+the newest step seen, for messages that belong to none), its publish time is wall time. Steps
+that never came, and messages that the disk did not take, are counted per topic and the counts
+stored as metadata records `rvd_missing` and `rvd_lost`.
+"""
+
+import importlib
+import struct
+import time
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Callable
+
+from rclpy.event_handler import SubscriptionEventCallbacks
+from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from std_msgs.msg import UInt64
+
+from rvd_dynamics.params import param, require
+from rvd_dynamics.recording.bag_writer import BagWriter
+from rvd_dynamics.recording.rosbag2 import qos_words
+from rvd_dynamics.recording.steps import StepLedger, step_reader
+from rvd_dynamics.ros import graph, qos
+from rvd_dynamics.ros.node import WatchNode
+from rvd_dynamics.ros.run import run
+
+RECORDED_STEP = '/run/recorded_step'            # our own, not recorded
+SCENARIO, TRUTH, VERDICT = '/run/scenario', '/truth/relative_state', '/run/verdict'
+REPORT_EVERY = 16               # [steps]
+LOOK_PERIOD_S = 1.0             # [s] wall time between two looks for new topics
+DRAIN_PERIOD_S = 0.1            # [s] wall time between two looks whether all has come
+SILENCE_S = 2.0                 # [s] wall time without a message of a step: no more will come
+GRACE_S = 0.2                   # [s] wall time for events and the like after the last step
+NOTE_MISSING = 'rvd_missing'    # metadata record: topic -> steps that never came
+# What a nearly full disk is kept for: commands, sticks, faults and the story of the run.
+ESSENTIAL = ('/joy', '/ground/command', '/ground/uplink', '/onboard/command',
+             '/onboard/thruster_command')
+
+
+@dataclass(frozen=True)
+class RecorderParams:
+    """Settings of the recorder."""
+
+    bag_dir: str = param('', 'Directory to make for the bag; must be empty if it exists.')
+
+    def __post_init__(self) -> None:
+        require(bool(self.bag_dir), 'bag_dir', 'name a directory', repr(self.bag_dir))
+
+
+def essential(topic: str) -> bool:
+    """Say whether `topic` is worth the last of a full disk."""
+    return topic in ESSENTIAL or topic.startswith('/run/')
+
+
+class BagRecorder(WatchNode):
+    """The recorder as a node."""
+
+    def __init__(self) -> None:
+        super().__init__('bag_recorder')
+        self._bag = self._open(Path(self.settings(RecorderParams).bag_dir))
+        self._ledger = StepLedger()
+        self._early: list[tuple] | None = []    # kept until the scenario has gone first
+        self._heard = time.monotonic()          # a message that one of the nodes owed
+        self._complete: float | None = None     # since when the last step is here
+        self._judged_step = -1
+        self._unknown: set[str] = set()         # topics of types that are not installed
+        self._complained = False
+        self._steps = self.writer(RECORDED_STEP, UInt64)
+        for topic in self._owed():
+            self._ledger.expect(topic)
+        for topic, kind in graph.TOPICS.items():
+            if topic != RECORDED_STEP:
+                self._record(topic, kind, qos.of(topic, self.mission.joy_input))
+        self._bag.describe()
+        self.create_timer(LOOK_PERIOD_S, self._look_for_topics)
+
+    @staticmethod
+    def _open(directory: Path) -> BagWriter:
+        try:
+            return BagWriter(directory, essential)
+        except OSError as error:
+            raise ValueError(f'bag_dir {directory}: {error.strerror}') from None
+
+    def _owed(self) -> list[str]:
+        """Return the topics that the nodes of this run write once per step."""
+        mission = self.mission
+        specs = [graph.spec_of(name, mission.operator, mission.joy_input)
+                 for name in self._names if name in graph.NODES]
+        return [topic for spec in specs for topic in spec.emits]
+
+    # -- topics ---------------------------------------------------------------------------
+
+    def _record(self, topic: str, kind: str, offered: QoSProfile) -> None:
+        reliable = offered.reliability == ReliabilityPolicy.RELIABLE
+        latched = offered.durability == DurabilityPolicy.TRANSIENT_LOCAL
+        self._bag.add_topic(topic, kind, qos_words(offered.depth, reliable, latched))
+        deep = QoSProfile(depth=qos.DEPTH, reliability=offered.reliability,
+                          durability=offered.durability)
+        events = SubscriptionEventCallbacks(use_default_callbacks=False) if self._lean else None
+        package, folder, name = kind.split('/')
+        self._subscriptions_of[topic] = self.create_subscription(
+            getattr(importlib.import_module(f'{package}.{folder}'), name), topic,
+            self._writer_of(topic, kind), deep, raw=True, event_callbacks=events)
+
+    def _writer_of(self, topic: str, kind: str) -> Callable:
+        """Return the callback that stores the messages of one topic."""
+        read_step = step_reader(kind, self.mission.step_ns)
+        owed = topic in self._ledger.last
+        step_ns = self.mission.step_ns
+
+        def store(data: bytes, info: dict) -> None:
+            try:
+                step = self.step if read_step is None else read_step(data)
+                self.step = max(self.step, step)
+                self._store(topic, data, max(step, 0) * step_ns, info, read_step is not None)
+                if owed:
+                    self._heard = time.monotonic()
+                    self._ledger.saw(topic, step)
+                if topic == VERDICT:
+                    self._judged_step = step
+                if topic == TRUTH and step % REPORT_EVERY == 0:
+                    self._steps.publish(UInt64(data=step))
+                    self._report()
+            except Exception as error:          # noqa: B902 - handed on through `done`
+                self.finish(error)
+        return store
+
+    def _store(self, topic: str, data: bytes, log_ns: int, info: dict, stepped: bool) -> None:
+        message = (topic, data, log_ns, info['source_timestamp'],
+                   info['publication_sequence_number'] or 0)
+        if self._early is None:
+            self._bag.write(*message)
+        elif topic == SCENARIO:
+            self._begin([message, *self._early])
+        elif stepped and topic not in graph.COMMON:     # the run has begun without a scenario
+            self._begin([*self._early, message])
+        else:
+            self._early.append(message)
+
+    def _begin(self, messages: list[tuple]) -> None:
+        self._early = None
+        for message in messages:
+            self._bag.write(*message)
+
+    def _look_for_topics(self) -> None:
+        """Record topics that are not in the graph's table, viewers' topics for instance."""
+        for topic, kinds in self.get_topic_names_and_types():
+            known = topic in self._subscriptions_of or topic == RECORDED_STEP
+            if known or topic in self._unknown or '/_' in topic:
+                continue
+            writers = self.get_publishers_info_by_topic(topic)
+            if not writers:
+                continue
+            try:
+                self._record(topic, kinds[0], _adapted([w.qos_profile for w in writers]))
+            except (LookupError, ImportError, AttributeError, ValueError) as error:
+                self._unknown.add(topic)
+                self.event('UNRECORDED', f'{topic}: {error}')
+
+    # -- state of the bag -----------------------------------------------------------------
+
+    def _report(self) -> None:
+        if self._bag.trouble and not self._complained:
+            self._complained = True
+            self.trouble['disk'] = self._bag.trouble
+            self.get_logger().error(self._bag.trouble)
+            self.event('DISK', self._bag.trouble)
+        self.diagnose()
+
+    def on_end(self) -> None:
+        """Wait for the last step of every topic, which may still be on its way."""
+        self._heard = time.monotonic()
+        self.create_timer(DRAIN_PERIOD_S, self._drain)
+
+    def _drain(self) -> None:
+        now = time.monotonic()
+        if self._complete is None and self._all_here():
+            self._complete = now
+        if now - self._heard > SILENCE_S or (
+                self._complete is not None and now - self._complete > GRACE_S):
+            self.finish()
+
+    def _all_here(self) -> bool:
+        judged = self._judged_step >= self.final_step or 'mission_monitor' not in self._names
+        return judged and self._ledger.reached(self.final_step)
+
+    def close(self) -> None:
+        """Close the bag; nobody waits for the recorder's own last messages."""
+        if self._early:
+            self._begin(self._early)
+        if self.final_step is not None:
+            self._ledger.end(self.final_step)
+        missing = {topic: str(n) for topic, n in self._ledger.missing.items()}
+        self._bag.close({NOTE_MISSING: missing})
+
+
+def _adapted(offers: list[QoSProfile]) -> QoSProfile:
+    """Return the strictest profile that every one of the writers satisfies."""
+    reliable = all(o.reliability == ReliabilityPolicy.RELIABLE for o in offers)
+    latched = all(o.durability == DurabilityPolicy.TRANSIENT_LOCAL for o in offers)
+    return QoSProfile(
+        depth=max([o.depth for o in offers]) or 1,
+        reliability=ReliabilityPolicy.RELIABLE if reliable else ReliabilityPolicy.BEST_EFFORT,
+        durability=(DurabilityPolicy.TRANSIENT_LOCAL if latched
+                    else DurabilityPolicy.VOLATILE))
+
+
+def main(args=None) -> None:
+    """Run the node."""
+    run(BagRecorder, args)

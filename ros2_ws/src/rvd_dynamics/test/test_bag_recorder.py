@@ -1,0 +1,224 @@
+"""The recorder as a process: everything published is in the bag, in order, however it ends."""
+
+import os
+from pathlib import Path
+import signal
+import subprocess
+import sys
+import time
+
+from geometry_msgs.msg import PointStamped
+from mcap.records import Channel, Footer, Message
+import pytest
+import rclpy
+from rclpy.executors import SingleThreadedExecutor
+from rclpy.serialization import deserialize_message, serialize_message
+from rosbags.rosbag2 import Reader
+from rosgraph_msgs.msg import Clock
+from sensor_msgs.msg import Joy
+from std_msgs.msg import String, UInt64
+
+from rvd_dynamics.recording import mcap_file
+from rvd_dynamics.recording.bag_writer import repair
+from rvd_dynamics.ros import qos
+from rvd_dynamics.ros.conversions import header_at, time_at
+from rvd_interfaces.msg import LinkFrame, RelativeState, RunEvent
+
+STEP_NS = 500_000_000
+FRAME = 'target_lvlh'
+RECORDER = [sys.executable, '-c', 'from rvd_dynamics.nodes.bag_recorder import main; main()']
+
+
+def domain() -> str:
+    """Return a domain of this process's own."""
+    return str(20 + os.getpid() % 80)
+
+
+@pytest.fixture
+def ros(monkeypatch):
+    monkeypatch.setenv('ROS_DOMAIN_ID', domain())
+    context = rclpy.Context()
+    rclpy.init(context=context)
+    node = rclpy.create_node('loop', context=context)
+    yield node
+    node.destroy_node()
+    rclpy.try_shutdown(context=context)
+
+
+class Recorder:
+    """A recorder process and the topics of a loop that feeds it."""
+
+    def __init__(self, node, run: Path, nodes: str) -> None:
+        self.node = node
+        self.bag = run / 'bag'
+        self.sent: dict[str, list[bytes]] = {}
+        self.recorded = -1
+        self.executor = SingleThreadedExecutor(context=node.context)
+        self.executor.add_node(node)
+        node.create_subscription(UInt64, '/run/recorded_step', self._on_recorded, qos.RING)
+        self.ready = False
+        node.create_subscription(String, '/run/ready', self._on_ready, qos.of('/run/ready'))
+        self.publishers = {
+            topic: node.create_publisher(kind, topic, qos.of(topic)) for topic, kind in (
+                ('/run/scenario', String), ('/truth/relative_state', RelativeState),
+                ('/clock', Clock), ('/onboard/measurement', RelativeState),
+                ('/onboard/downlink', LinkFrame), ('/joy', Joy), ('/run/events', RunEvent),
+                ('/run/end', UInt64))}
+        self.process = subprocess.Popen(
+            [*RECORDER, '--ros-args',
+             '-r', '__node:=bag_recorder', '-p', f'bag_dir:={self.bag}', '-p', f'nodes:={nodes}'],
+            env={**os.environ, 'RVD_LEAN': '1'}, stderr=subprocess.PIPE, text=True)
+
+    def _on_recorded(self, message) -> None:
+        self.recorded = message.data
+
+    def _on_ready(self, message) -> None:
+        self.ready = message.data == 'bag_recorder'
+
+    def send(self, topic: str, message) -> None:
+        self.sent.setdefault(topic, []).append(serialize_message(message))
+        self.publishers[topic].publish(message)
+
+    def until(self, condition, seconds: float = 20.0) -> None:
+        limit = time.monotonic() + seconds
+        while not condition():
+            assert time.monotonic() < limit, 'waited too long'
+            self.executor.spin_once(timeout_sec=0.02)
+
+    def matched(self) -> bool:
+        return self.ready and all(p.get_subscription_count() for p in self.publishers.values())
+
+    def step(self, k: int, final: bool = False) -> None:
+        """Publish what a small loop publishes in step k."""
+        self.send('/truth/relative_state', RelativeState(
+            header=header_at(k * STEP_NS, FRAME), step=k, final=final))
+        self.send('/clock', Clock(clock=time_at(k * STEP_NS)))
+        self.send('/onboard/measurement', RelativeState(step=k))
+        self.send('/onboard/downlink', LinkFrame(step=k, sequence=k, payload=bytes(k % 50)))
+        self.send('/joy', Joy(header=header_at(k * STEP_NS, ''), axes=[k % 4 / 3.0] * 5,
+                              buttons=[0, 0, 0, 0, 1]))
+
+    def stored(self) -> dict[str, list[bytes]]:
+        found: dict[str, list[bytes]] = {}
+        names = {}
+        for record in mcap_file.records(self.bag / 'bag_0.mcap'):
+            if isinstance(record, Channel):
+                names[record.id] = record.topic
+            elif isinstance(record, Message):
+                found.setdefault(names[record.channel_id], []).append(record.data)
+        return found
+
+    def notes(self, name: str) -> dict[str, str]:
+        return next(r.metadata for r in mcap_file.records(self.bag / 'bag_0.mcap')
+                    if getattr(r, 'name', '') == name)
+
+
+def same(a: list[bytes], b: list[bytes], kind: type) -> bool:
+    """Compare decoded: padding bytes of CDR are not initialised."""
+    return [deserialize_message(x, kind) for x in a] == [deserialize_message(x, kind) for x in b]
+
+
+NODES = '[bag_recorder, spacecraft_dynamics, relative_sensor, operator_model]'
+KINDS = {'/truth/relative_state': RelativeState, '/onboard/downlink': LinkFrame, '/joy': Joy,
+         '/clock': Clock, '/onboard/measurement': RelativeState, '/run/scenario': String, '/run/events': RunEvent, '/run/end': UInt64}
+
+
+@pytest.fixture
+def recorder(ros, tmp_path):
+    made = Recorder(ros, tmp_path, NODES)
+    yield made
+    if made.process.poll() is None:
+        made.process.kill()
+    made.process.wait()
+
+
+def test_a_run_is_recorded_whole_and_the_bag_closed(recorder):
+    recorder.until(recorder.matched)
+    recorder.send('/run/events', RunEvent(code='EARLY'))        # before the scenario
+    time.sleep(0.1)
+    recorder.send('/run/scenario', String(data='step_s: 0.5'))
+    for k in range(101):
+        recorder.step(k, final=k == 100)
+    recorder.send('/run/end', UInt64(data=100))
+    assert recorder.process.wait(timeout=20) == 0, recorder.process.stderr.read()
+    found = recorder.stored()
+    for topic, kind in KINDS.items():
+        assert same(found[topic], recorder.sent[topic], kind), topic
+    assert len(found['/run/ready']) == 1
+    with Reader(recorder.bag) as reader:
+        messages = [(c.topic, t) for c, t, _ in reader.messages()]
+        truth = [t for topic, t in messages if topic == '/truth/relative_state']
+    assert messages[0][0] == '/run/scenario'
+    assert truth == [k * STEP_NS for k in range(101)]           # simulation time
+    assert recorder.notes('rvd_recording') == {'closed': 'true', 'trouble': ''}
+    assert recorder.notes('rvd_lost') == {}
+
+
+def test_kill_9_of_the_recorder_loses_nothing_it_had_received(recorder):
+    """R2: every message that was acknowledged is in the file, and it can be repaired."""
+    recorder.until(recorder.matched)
+    recorder.send('/run/scenario', String(data='step_s: 0.5'))
+    for k in range(145):
+        recorder.step(k)
+    recorder.until(lambda: recorder.recorded == 144)
+    file, size = recorder.bag / 'bag_0.mcap', -1
+    while size != (size := file.stat().st_size):
+        time.sleep(0.3)                         # until it has drained its queues
+    recorder.process.send_signal(signal.SIGKILL)
+    recorder.process.wait()
+    found = recorder.stored()
+    for topic in set(KINDS) - {'/run/events', '/run/end'}:
+        assert same(found[topic], recorder.sent[topic], KINDS[topic]), topic
+    assert repair(recorder.bag)
+    with Reader(recorder.bag) as reader:
+        assert {c.topic: c.msgcount for c in reader.connections if c.msgcount} == {
+            topic: len(messages) for topic, messages in found.items()}
+
+
+@pytest.mark.parametrize('number', [signal.SIGINT, signal.SIGTERM])
+def test_told_to_stop_it_closes_the_bag(recorder, number):
+    recorder.until(recorder.matched)
+    recorder.send('/run/scenario', String(data=''))
+    for k in range(20):
+        recorder.step(k)
+    recorder.until(lambda: recorder.recorded >= 16)
+    recorder.process.send_signal(number)
+    assert recorder.process.wait(timeout=10) == 0, recorder.process.stderr.read()
+    assert isinstance(list(mcap_file.records(recorder.bag / 'bag_0.mcap'))[-1], Footer)
+    with Reader(recorder.bag) as reader:
+        assert reader.message_count >= 17
+
+
+def test_topics_nobody_announced_are_recorded_when_they_appear(recorder):
+    recorder.until(recorder.matched)
+    recorder.send('/run/scenario', String(data=''))
+    extra = recorder.node.create_publisher(PointStamped, '/extra/point', 10)
+    recorder.until(lambda: extra.get_subscription_count() > 0)
+    extra.publish(PointStamped())
+    recorder.step(0)
+    recorder.send('/run/end', UInt64(data=0))
+    assert recorder.process.wait(timeout=20) == 0
+    assert len(recorder.stored()['/extra/point']) == 1
+
+
+def test_steps_that_never_came_are_counted_in_the_file(ros, tmp_path):
+    """R3: the loop owes one message per step; the recorder says how many it did not get."""
+    made = Recorder(ros, tmp_path, '[bag_recorder, relative_sensor]')
+    made.until(made.matched)
+    for k in (0, 1, 2, 5, 6, 9):
+        made.send('/onboard/downlink', LinkFrame(step=k))
+    made.send('/run/end', UInt64(data=10))
+    assert made.process.wait(timeout=20) == 0
+    assert made.notes('rvd_missing') == {'/onboard/downlink': '5', '/onboard/measurement': '11'}
+
+
+@pytest.mark.parametrize('argument, complaint', [
+    ("bag_dir:=''", 'bag_dir must name a directory'),
+    ('bag_dir:=/proc/nowhere', 'bag_dir /proc/nowhere: '),
+    ('bag_dir:=/tmp', 'bag directory /tmp is not empty')])
+def test_a_place_where_no_bag_can_be_is_one_line_and_exit_2(argument, complaint):
+    done = subprocess.run(
+        [*RECORDER, '--ros-args', '-p', argument],
+        env={**os.environ, 'ROS_DOMAIN_ID': domain()}, capture_output=True, text=True, timeout=30)
+    assert done.returncode == 2
+    assert complaint in done.stderr and 'Traceback' not in done.stderr
