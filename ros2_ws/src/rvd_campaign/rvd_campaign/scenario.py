@@ -20,9 +20,8 @@ from rvd_dynamics.params import build, flatten, leaves
 from rvd_dynamics.recording.params import MarkerParams, RecorderParams
 from rvd_dynamics.world import DynamicsParams, SensorParams
 from rvd_groundstation.operators.pilot import PilotParams
-from rvd_groundstation.operators.tape import ReplayParams
 from rvd_groundstation.prediction.predictor import PredictorParams
-from rvd_groundstation.settings import BlenderParams, ControllerParams
+from rvd_groundstation.settings import BlenderParams, ControllerParams, ReplayParams
 
 SHARED = '/**'
 SETTINGS = {                    # section of the file: its settings

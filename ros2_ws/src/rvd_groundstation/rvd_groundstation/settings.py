@@ -1,10 +1,19 @@
 """
-Settings of the ground nodes whose part is picked from a table.
+Settings of the ground nodes that pick a part from a table or a file.
 """
 
-from rvd_dynamics.params import choice
+from dataclasses import dataclass
+
+from rvd_dynamics.params import choice, param
 from rvd_groundstation.guidance import LAWS
 from rvd_groundstation.sharing import SHARING
 
 ControllerParams = choice('ControllerParams', 'law', LAWS, 'corridor_apf', 'Guidance law:')
 BlenderParams = choice('BlenderParams', 'sharing', SHARING, 'eq25', 'Way of sharing:')
+
+
+@dataclass(frozen=True)
+class ReplayParams:
+    """Settings of `joystick_replay`."""
+
+    tape: str = param('', 'CSV file, .mcap file or rosbag2 folder with /joy.')
