@@ -15,7 +15,6 @@ stored as metadata records `rvd_missing` and `rvd_lost`.
 import importlib
 import struct
 import time
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Callable
 
@@ -23,8 +22,9 @@ from rclpy.event_handler import SubscriptionEventCallbacks
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from std_msgs.msg import UInt64
 
-from rvd_dynamics.params import param, require
+from rvd_dynamics.params import require
 from rvd_dynamics.recording.bag_writer import BagWriter
+from rvd_dynamics.recording.params import RecorderParams
 from rvd_dynamics.recording.rosbag2 import qos_words
 from rvd_dynamics.recording.steps import StepLedger, step_reader
 from rvd_dynamics.ros import graph, qos
@@ -44,16 +44,6 @@ ESSENTIAL = ('/joy', '/ground/command', '/ground/uplink', '/onboard/command',
              '/onboard/thruster_command')
 
 
-@dataclass(frozen=True)
-class RecorderParams:
-    """Settings of the recorder."""
-
-    bag_dir: str = param('', 'Directory to make for the bag; must be empty if it exists.')
-
-    def __post_init__(self) -> None:
-        require(bool(self.bag_dir), 'bag_dir', 'name a directory', repr(self.bag_dir))
-
-
 def essential(topic: str) -> bool:
     """Say whether `topic` is worth the last of a full disk."""
     return topic in ESSENTIAL or topic.startswith('/run/')
@@ -64,7 +54,7 @@ class BagRecorder(WatchNode):
 
     def __init__(self) -> None:
         super().__init__('bag_recorder')
-        self._bag = self._open(Path(self.settings(RecorderParams).bag_dir))
+        self._bag = self._open(self.settings(RecorderParams).bag_dir)
         self._ledger = StepLedger()
         self._early: list[tuple] | None = []    # kept until the scenario has gone first
         self._heard = time.monotonic()          # a message that one of the nodes owed
@@ -82,9 +72,10 @@ class BagRecorder(WatchNode):
         self.create_timer(LOOK_PERIOD_S, self._look_for_topics)
 
     @staticmethod
-    def _open(directory: Path) -> BagWriter:
+    def _open(directory: str) -> BagWriter:
+        require(bool(directory), 'bag_dir', 'name a directory', repr(directory))
         try:
-            return BagWriter(directory, essential)
+            return BagWriter(Path(directory), essential)
         except OSError as error:
             raise ValueError(f'bag_dir {directory}: {error.strerror}') from None
 
