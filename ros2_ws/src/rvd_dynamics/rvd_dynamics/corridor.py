@@ -57,10 +57,9 @@ def outward_normal(position: ArrayLike, corridor: CorridorParams) -> Array:
     """
     x, y, z = _components(position)
     rho = np.sqrt(y*y + z*z)
-    lateral = cos(corridor.alpha) * _reciprocal(rho)
-    # 0 * (x + rho) only carries NaN: an unknown position has no normal
-    axial = sin(corridor.alpha) + 0.0 * (x + rho)
-    return np.stack([axial, lateral*y, lateral*z], axis=-1)
+    unknown = 0.0 * (x + rho)               # 0, or NaN: an unknown position has no normal
+    lateral = cos(corridor.alpha) * _reciprocal(rho) + unknown
+    return np.stack([sin(corridor.alpha) + unknown, lateral*y, lateral*z], axis=-1)
 
 
 def nearest_point(position: ArrayLike, corridor: CorridorParams) -> Array:

@@ -91,13 +91,16 @@ def step(state: ArrayLike, accel: ArrayLike, phi: Matrix, gamma: Matrix) -> Matr
     `accel` (..., 3) is held over the step [m/s^2]; `phi` (6, 6) and `gamma` (6, 3) are
     `transition` and `input_matrix` of that step.
     """
+    # contiguous: the order in which einsum adds depends on the layout of its operands
     return (np.einsum('ij,...j->...i', phi, np.ascontiguousarray(state, dtype=float))
             + np.einsum('ij,...j->...i', gamma, np.ascontiguousarray(accel, dtype=float)))
 
 
 def propagate(state: ArrayLike, n: float, dt: ArrayLike) -> NDArray[np.float64]:
     """Coast `state` (..., 6) for `dt` (...) seconds; shapes broadcast, NaN stays NaN."""
-    return np.einsum('...ij,...j->...i', transition(n, dt), np.asarray(state, dtype=float))
+    # contiguous: the order in which einsum adds depends on the layout of its operands
+    state = np.ascontiguousarray(state, dtype=float)
+    return np.einsum('...ij,...j->...i', transition(n, dt), state)
 
 
 def _arguments(n: float, dt: ArrayLike) -> tuple[Matrix, Matrix, Matrix, Matrix]:
