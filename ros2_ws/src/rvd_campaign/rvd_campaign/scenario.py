@@ -13,6 +13,7 @@ from typing import Any
 
 import yaml
 
+from rvd_campaign.loop import LoopSettings
 from rvd_dynamics.guard.guard import GuardParams
 from rvd_dynamics.link.models import LinkParams
 from rvd_dynamics.mission import Mission
@@ -20,6 +21,7 @@ from rvd_dynamics.params import build, flatten, leaves
 from rvd_dynamics.recording.params import MarkerParams, RecorderParams
 from rvd_dynamics.world import DynamicsParams, SensorParams
 from rvd_groundstation.operators.pilot import PilotParams
+from rvd_groundstation.operators.tape import read_tape
 from rvd_groundstation.prediction.predictor import PredictorParams
 from rvd_groundstation.settings import BlenderParams, ControllerParams, ReplayParams
 
@@ -79,6 +81,21 @@ class Scenario:
     def mission(self) -> Mission:
         """The shared settings."""
         return self.settings(SHARED)
+
+    def loop(self) -> LoopSettings:
+        """Return what the in-process loop needs to fly this scenario."""
+        replay = self.mission.operator == 'replay'
+        return LoopSettings(
+            mission=self.mission,
+            law=self.settings('auto_controller').selected,
+            dynamics=self.settings('spacecraft_dynamics'),
+            sensor=self.settings('relative_sensor'),
+            link_forward=self.settings('link_forward'),
+            link_back=self.settings('link_back'),
+            predictor=self.settings('state_predictor'),
+            sharing=self.settings('command_blender').selected,
+            pilot=self.settings('operator_model'),
+            tape=read_tape(self.settings('joystick_replay').tape) if replay else None)
 
     def with_values(self, section: str, **values: Any) -> 'Scenario':
         """Return a copy in which dotted keys of one section are set (`__` stands for a dot)."""

@@ -1,0 +1,28 @@
+"""Flights that several tests look at; each is flown once per session."""
+
+from pathlib import Path
+
+import pytest
+from runs import rvd
+
+
+class Flown:
+    """A run that has ended: its folder, exit code and output."""
+
+    def __init__(self, run: Path, *args: str) -> None:
+        done = rvd('fly', *args, '--out', str(run), cwd=run.parent)
+        self.run, self.code = run, done.returncode
+        self.out, self.err = done.stdout, done.stderr
+
+
+@pytest.fixture(scope='session')
+def flight(tmp_path_factory) -> Flown:
+    """The default scenario in lock step, seed 3."""
+    return Flown(tmp_path_factory.mktemp('flight') / 'run', '--pace', 'lockstep', '--seed', '3')
+
+
+@pytest.fixture(scope='session')
+def rough_flight(tmp_path_factory) -> Flown:
+    """Every fault of the link switched on, two-body truth left alone, in lock step."""
+    return Flown(tmp_path_factory.mktemp('rough') / 'run', 'rough_link', '--pace', 'lockstep',
+                 '--seed', '11', '--headless')

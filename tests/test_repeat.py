@@ -1,0 +1,61 @@
+"""Lock step: the same bits every time, over DDS and in one process."""
+
+import numpy as np
+import pytest
+from conftest import Flown
+from runs import messages, ROOT, states
+
+from rvd_campaign.loop import fly
+from rvd_campaign.scenario import load, parse
+
+
+def thrust(run):
+    return np.array([[*m.levels, m.valid, m.kind, m.reason, m.sequence]
+                     for m in messages(run, '/onboard/thruster_command')])
+
+
+def test_a_second_run_is_the_same_to_the_last_bit(flight, tmp_path):
+    again = Flown(tmp_path / 'run', '--pace', 'lockstep', '--seed', '3', '--headless')
+    for topic in ('/truth/relative_state', '/ground/prediction'):
+        np.testing.assert_array_equal(states(again.run, topic), states(flight.run, topic))
+    np.testing.assert_array_equal(thrust(again.run), thrust(flight.run))
+
+
+@pytest.mark.parametrize('which', ['flight', 'rough_flight'])
+def test_graph_equals_the_loop_in_one_process(which, request):
+    run = request.getfixturevalue(which).run
+    assert_equals_loop(run)
+
+
+CASES = {
+    'manual': ('--mode', 'manual', '--seed', '5'),
+    'auto': ('--mode', 'auto', '--operator', 'none', '--seed', '6'),
+    'two_body': ('two_body', '--seed', '7'),
+    'ten_steps_a_second': ('hand', '--seed', '8'),
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize('args', CASES.values(), ids=CASES.keys())
+def test_other_runs_equal_the_loop_too(args, tmp_path):
+    flown = Flown(tmp_path / 'run', *args, '--pace', 'lockstep', '--headless')
+    assert flown.code in (0, 1), flown.err
+    assert_equals_loop(flown.run)
+
+
+def assert_equals_loop(run):
+    scenario = parse((run / 'scenario.yaml').read_text(), 'flown')
+    alone = fly(scenario.loop(), [scenario.mission.run], record=True).history
+    truth = states(run, '/truth/relative_state')
+    history = alone.truth[:, 0]
+    np.testing.assert_array_equal(truth[:, :6], history[:len(truth)])
+    levels = thrust(run)[:, :3]
+    np.testing.assert_array_equal(levels, alone.executed[:len(levels), 0])
+
+
+def test_random_streams_do_not_see_the_mode():
+    shared = load(ROOT / 'scenarios' / 'paper.yaml')
+    manual = shared.with_values('/**', mode='manual')
+    a, b = (fly(s.loop(), [0, 1], record=True).history for s in (shared, manual))
+    np.testing.assert_array_equal(a.truth[:20], b.truth[:20])      # before a command acts
+    assert not np.array_equal(a.truth[-1], b.truth[-1])
