@@ -25,8 +25,9 @@ SHARED = ['constants', 'frames', 'orbit.cw', 'corridor', 'spacecraft.levels', 'l
 WORLD = ['world', 'orbit.models', 'orbit.two_body', 'spacecraft.thrusters', 'sensors', 'guard',
          'link.models', 'link.plan', 'link.play_out', 'link.channel', 'nodes']
 
-# The live view of `rvd fly` listens to a few topics from within the command's own process.
-ALSO_ROS = {'rvd_campaign.watch'}
+# Outside of ros/ and nodes/ all the same: the live view of `rvd fly`, which listens to topics from
+# within the command's own process; and the recorder's look-up of installed message definitions.
+ALSO_ROS = {'rvd_campaign.watch', 'rvd_dynamics.recording.definitions'}
 
 
 def name_of(path):
@@ -90,7 +91,8 @@ def reached_from(name):
 
 
 PURE = [name for name in FILES if is_pure(name)]
-MATHEMATICS = [name for name in PURE if package_of(name) != 'rvd_campaign']
+MATHEMATICS = [name for name in PURE if package_of(name) != 'rvd_campaign'
+               and not below(name, ['recording'])]
 GROUND = [name for name in FILES if package_of(name) == 'rvd_groundstation']
 
 
