@@ -59,7 +59,8 @@ def test_releases_and_counts_are_those_of_an_event_queue(seed, hold):
     flight = fly(sendings_of(plan, sent, expedited), hold, STEP_NS)
     channel, corrupted = Channel(plan, hold, STEP_NS), 0
     for k in range(steps):
-        out = channel.advance(k, frame(k, bytes([k % 256] * 20), expedited[k]) if sent[k] else None)
+        given = frame(k, bytes([k % 256] * 20), expedited[k]) if sent[k] else None
+        out = channel.advance(k, given)
         if flight.released[k] is None:
             assert out is None
         else:
@@ -235,8 +236,8 @@ def test_delay_percentiles_are_nearest_ranks_of_all_transits_that_arrived():
                    if (c == 0 or plan.duplicated[j]) and not plan.lost[j, c]
                    and j * STEP_NS + plan.transit_ns[j, c] <= k * STEP_NS]
         for p in (50, 99, 100):
-            expected = np.percentile(arrived, p, method='inverted_cdf') / 1e9 if arrived else np.nan
-            np.testing.assert_equal(channel.delay_s(p), expected)
+            ns = np.percentile(arrived, p, method='inverted_cdf') if arrived else np.nan
+            np.testing.assert_equal(channel.delay_s(p), ns / 1e9)
     assert len(arrived) > 400
 
 
@@ -329,8 +330,8 @@ class ChannelMachine(RuleBasedStateMachine):
         names = ('transit_ns', 'lost', 'damaged', 'damage', 'duplicated', 'outage')
         self.plan = LinkPlan(faulty.hold_ns, *(np.concatenate([
             getattr(faulty, n)[:self.STEPS], getattr(calm, n)[self.STEPS:]]) for n in names))
-        self.hold, self.channel, self.step, self.last = hold, Channel(self.plan, hold, STEP_NS), 0, 0
-        self.sent, self.out = Counter(), Counter()
+        self.hold, self.step, self.last = hold, 0, 0
+        self.channel, self.sent = Channel(self.plan, hold, STEP_NS), Counter()
 
     def advance(self, send):
         self.sent[self.step] = send

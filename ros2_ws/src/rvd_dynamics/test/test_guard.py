@@ -58,6 +58,13 @@ def test_a_step_without_a_frame_is_no_refusal():
     assert decision.sequence == 0 and counted(decision) == {'empty': 1} and guard.refusal == 0
 
 
+def test_a_decision_keeps_the_counts_of_its_step():
+    guard = Guard(Mission())
+    first, second = guard.advance(0, None), guard.advance(1, None)
+    aborted, later = guard.advance(2, abort(1, 2)), guard.advance(3, None)
+    assert [d.counts['empty'] for d in (first, second, aborted, later)] == [1, 2, 2, 3]
+
+
 # refused: each reason, and its twin just inside the limit
 
 @pytest.mark.parametrize(('refusal', 'bad', 'good'), [

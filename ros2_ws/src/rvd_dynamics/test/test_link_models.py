@@ -22,7 +22,8 @@ def transit_file(tmp_path):
 
 @pytest.fixture(params=MODELS)
 def model(request, transit_file):
-    return Empirical(file=transit_file) if request.param == 'empirical' else MODELS[request.param]()
+    needs = {'empirical': {'file': transit_file}}       # the one model without a default
+    return MODELS[request.param](**needs.get(request.param, {}))
 
 
 # contract: every entry of MODELS

@@ -162,6 +162,14 @@ def test_measured_transits_meet_the_same_edge(tmp_path):
         assert draw(params).intact_in_time.all() == in_time
 
 
+def test_measured_transits_are_kept_to_the_nanosecond(tmp_path):
+    transits = np.random.default_rng(2).integers(0, 10**10, 300)
+    path = tmp_path / 'ns.csv'
+    path.write_text('\n'.join(f'{ns // 10**9}.{ns % 10**9:09d}' for ns in transits))
+    drawn = draw(LinkParams(model='empirical', empirical=Empirical(file=str(path))), steps=5000)
+    assert set(drawn.transit_ns.ravel()) == set(transits)
+
+
 def test_a_direct_link_delivers_everything():
     assert draw(hold=0).intact_in_time.all()
 

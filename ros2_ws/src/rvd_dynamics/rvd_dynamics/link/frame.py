@@ -116,7 +116,7 @@ def pack_downlink(sequence: int, generated_ns: int, state: Sequence[float],
 
 
 def unpack_downlink(payload: bytes) -> Downlink | Refusal:
-    """Return the downlink in `payload`, or LENGTH, CHECKSUM, or RANGE if version or kind is new."""
+    """Return the downlink in `payload`, or LENGTH, CHECKSUM, or RANGE if of an unknown kind."""
     broken = _broken(payload, DOWNLINK_BYTES)
     if broken is not None:
         return broken
