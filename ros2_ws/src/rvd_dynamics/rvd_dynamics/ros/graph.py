@@ -61,9 +61,9 @@ class Spec:
     @property
     def reads(self) -> frozenset[str]:
         """Topics this node subscribes to."""
-        if self.everything:
-            return frozenset(TOPICS) - {'/run/recorded_step'}
-        return frozenset([topic for topic, _ in self.fires_on] + [*self.watches, '/run/end'])
+        fired_on = [topic for topic, _ in self.fires_on]
+        topics = TOPICS if self.everything else [*fired_on, *self.watches, '/run/end']
+        return frozenset(topics) - self.publishes
 
     @property
     def publishes(self) -> frozenset[str]:

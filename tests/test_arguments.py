@@ -1,0 +1,115 @@
+"""Bad arguments: one clear line on stderr, exit code 2, no traceback, nothing started or made."""
+
+import os
+import subprocess
+
+import pytest
+from runs import ROOT, rvd
+
+BAD = {
+    'unknown command': (['soar'], 'soar'),
+    'no command': ([], 'COMMAND'),
+    'unknown scenario': (['fly', 'papre'], 'paper'),
+    'unknown mode': (['fly', '--mode', 'psychic'], 'psychic'),
+    'unknown operator': (['fly', '--operator', 'dog'], 'dog'),
+    'unknown option': (['fly', '--warp'], '--warp'),
+    'pace in words': (['fly', '--pace', 'brisk'], 'brisk'),
+    'pace not positive': (['fly', '--pace', '0'], 'pace_factor must be between'),
+    'pace not a number': (['fly', '--pace', 'nan'], 'pace_factor must be between'),
+    'negative seed': (['fly', '--seed', '-1'], 'seed must not be negative'),
+    'seed not whole': (['fly', '--seed', '1.5'], '1.5'),
+    'replay without tape': (['fly', '--operator', 'replay'], '--tape'),
+    'tape without replay': (['fly', '--operator', 'model', '--tape', 'x'], '--operator replay'),
+    'missing tape': (['fly', '--tape', 'nosuch'], 'nosuch'),
+    'stick in lock step': (['fly', '--operator', 'joy', '--pace', 'lockstep'], 'realtime'),
+    'report of nothing': (['report', 'nowhere'], 'nowhere'),
+    'list of nothing': (['list', 'moons'], 'moons'),
+}
+
+
+@pytest.mark.parametrize('args, said', BAD.values(), ids=BAD.keys())
+def test_bad_argument_is_one_line_and_exit_code_2(args, said, tmp_path):
+    refused(rvd(*args, cwd=tmp_path), said)
+    assert not list(tmp_path.iterdir())
+
+
+SCENARIOS = {
+    'unknown key': ('/**: {ros__parameters: {step: 0.5}}', 'did you mean step_s?'),
+    'half a step': ('/**: {ros__parameters: {forward_delay_s: 5.2}}', '5 and 5.5'),
+    'not yaml': ('{', 'not valid YAML'),
+    'empty': ('', 'empty'),
+    'nan': ('/**: {ros__parameters: {timeout_s: .nan}}', 'timeout_s must be'),
+    'bomb': ('a: &a [1]\nb: [*a, *a]', 'aliases'),
+    'bad link file': ('link_back: {ros__parameters: {model: empirical, empirical: {file: no}}}',
+                      'no cannot be read'),
+}
+
+
+@pytest.mark.parametrize('text, said', SCENARIOS.values(), ids=SCENARIOS.keys())
+def test_bad_scenario_is_one_line_and_exit_code_2(text, said, tmp_path):
+    path = tmp_path / 'bad.yaml'
+    path.write_text(text)
+    refused(rvd('fly', str(path), cwd=tmp_path), said)
+    assert list(tmp_path.iterdir()) == [path]
+
+
+TAPES = {
+    'empty': ('', 'empty'), 'no header': ('0,0,0,0\n', 'line 1'),
+    'time runs back': ('t_s,axis_0,axis_1\n1,0,0\n0.5,0,0\n', 'line 3'),
+    'not a number': ('t_s,axis_0\n0,zero\n', 'line 2'),
+    'beyond the stop': ('t_s,axis_0\n0,1.5\n', 'line 2'),
+    'short row': ('t_s,axis_0,axis_1\n0,0\n', 'line 2'),
+}
+
+
+@pytest.mark.parametrize('text, said', TAPES.values(), ids=TAPES.keys())
+def test_bad_tape_is_one_line_and_exit_code_2(text, said, tmp_path):
+    path = tmp_path / 'bad.csv'
+    path.write_text(text)
+    done = rvd('fly', '--tape', str(path), cwd=tmp_path)
+    refused(done, said)
+    assert 'bad.csv' in done.stderr
+
+
+def test_nothing_is_overwritten(tmp_path):
+    taken = tmp_path / 'taken'
+    taken.mkdir()
+    (taken / 'thesis.txt').write_text('years of work')
+    refused(rvd('fly', '--out', str(taken), cwd=tmp_path), 'nothing is overwritten')
+    assert (taken / 'thesis.txt').read_text() == 'years of work'
+
+
+def test_bad_domain_is_refused(tmp_path, monkeypatch):
+    monkeypatch.setattr('runs.environment', lambda: {**os.environ, 'ROS_DOMAIN_ID': '999'})
+    done = rvd('fly', '--out', str(tmp_path / 'run'), cwd=tmp_path)
+    refused(done, 'ROS_DOMAIN_ID must be')
+
+
+@pytest.mark.parametrize('what, some', [('laws', 'corridor_apf'), ('scenarios', 'paper'),
+                                        ('tapes', 'docking')])
+def test_list_names_what_can_be_chosen(what, some, tmp_path):
+    done = rvd('list', what, cwd=tmp_path)
+    assert done.returncode == 0
+    line = next(line for line in done.stdout.splitlines() if line.startswith(some))
+    assert len(line.split()) > 3                # and says what it is
+
+
+@pytest.mark.parametrize('command', ['', 'fly', 'report', 'list', 'bench'])
+def test_help_explains_every_command(command, tmp_path):
+    done = rvd(*command.split(), '--help', cwd=tmp_path)
+    assert done.returncode == 0 and 'usage: rvd' in done.stdout
+
+
+def test_node_with_a_bad_parameter_says_so_in_one_line():
+    done = subprocess.run(
+        [str(ROOT / 'rvd'), 'node', 'rvd_dynamics', 'relative_sensor', '--ros-args',
+         '-p', 'step_s:=7.0'], capture_output=True, text=True, timeout=60)
+    assert done.returncode == 2
+    assert done.stderr.strip() == 'relative_sensor: step_s must be between 0.05 and 1, got 7.0'
+
+
+def refused(done, said):
+    assert done.returncode == 2, (done.returncode, done.stdout, done.stderr)
+    lines = done.stderr.strip().splitlines()
+    assert len(lines) == 1 and said in lines[0], done.stderr
+    assert done.stdout == ''

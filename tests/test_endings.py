@@ -1,0 +1,80 @@
+"""How a run ends when it does not end well: Ctrl-C, killed and hung nodes, a killed recorder."""
+
+import os
+import signal
+import time
+
+import pytest
+from runs import (
+    alive, end, messages, node_pid, pids_under, start_rvd, verdict_of, wait_for)
+
+from rvd_campaign.bag import read_run
+
+
+@pytest.fixture
+def flying(tmp_path):
+    """Return a starter of real-time runs; what is left of them is ended by pid."""
+    started = []
+
+    def fly(*args):
+        process = start_rvd('fly', '--out', str(tmp_path / 'run'), '--headless', *args,
+                            cwd=tmp_path)
+        started.append(process)
+        return process
+    yield fly
+    for process in started:
+        end(process)
+
+
+def bag_grows(run, size=100_000):
+    return wait_for(lambda: sum(p.stat().st_size for p in run.glob('bag/*.mcap')) > size,
+                    'a bag under way')
+
+
+def test_ctrl_c_ends_every_process_and_leaves_a_readable_bag(flying, tmp_path):
+    process = flying('--pace', '5')
+    bag_grows(tmp_path / 'run')
+    nodes = pids_under(process.pid)
+    assert len(nodes) >= 11
+    process.send_signal(signal.SIGINT)
+    assert process.wait(30.0) == 130
+    wait_for(lambda: not any(alive(pid) for pid in nodes), 'the end of every node', 2.0)
+    steps = [m.step for m in messages(tmp_path / 'run', '/truth/relative_state')]
+    assert len(steps) > 5 and steps == list(range(len(steps)))
+    assert verdict_of(tmp_path / 'run')['reason'] == 'interrupted'
+
+
+@pytest.mark.parametrize('victim', ['state_predictor', 'link_forward', 'spacecraft_dynamics'])
+def test_a_killed_node_is_named_and_the_run_ends_with_2(victim, flying, tmp_path):
+    process = flying('--pace', '5')
+    bag_grows(tmp_path / 'run')
+    os.kill(node_pid(process.pid, victim), signal.SIGKILL)
+    began = time.monotonic()
+    assert process.wait(30.0) == 2
+    assert time.monotonic() - began < 15.0
+    assert f'{victim} was ended by signal 9' in (tmp_path / 'out').read_text()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize('victim', ['auto_controller', 'link_back', 'bag_recorder'])
+def test_a_hung_node_is_named_and_the_run_ends_with_2(victim, flying, tmp_path):
+    """A stalled step in lock step: 10 s of patience, then the name of the node that owes it."""
+    process = flying('--pace', 'lockstep')
+    pid = node_pid(process.pid, victim)
+    bag_grows(tmp_path / 'run', 30_000)
+    os.kill(pid, signal.SIGSTOP)
+    assert process.wait(60.0) == 2
+    said = (tmp_path / 'out').read_text()
+    assert f'{victim} owes a message' in said, said
+    assert not alive(pid)
+
+
+@pytest.mark.slow
+def test_a_killed_recorder_loses_nothing_it_had_received(flying, tmp_path):
+    process = flying('--pace', '5')
+    bag_grows(tmp_path / 'run')
+    os.kill(node_pid(process.pid, 'bag_recorder'), signal.SIGKILL)
+    assert process.wait(30.0) == 2
+    recording = read_run(tmp_path / 'run')
+    steps = recording.truth.step
+    assert len(steps) > 5 and list(steps) == list(range(len(steps)))
