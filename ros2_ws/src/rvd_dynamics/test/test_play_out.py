@@ -14,7 +14,7 @@ def frame(step, transit, period=T):
 
 
 class ShiftRegister:
-    """Section 1.2 of the paper, word by word; n >= 1 positions, one copy per frame."""
+    """Section 1.3 of the paper, word by word; n >= 1 positions, one copy per frame."""
 
     def __init__(self, n):
         self.positions = [None] * n                     # position 1 first

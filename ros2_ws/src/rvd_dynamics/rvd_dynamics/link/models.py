@@ -6,7 +6,7 @@ frame never arrives. Transits scale with the play-out delay `hold_s` = nT of the
 setting serves every delay and a direct link (hold_s = 0) is direct; `empirical` alone
 speaks in seconds, because its file does.
 
-Source  Zhang, Li, Tang, J. Astronautics 35(3), 2014, section 1.2 leaves the transit open;
+Source  Zhang, Li, Tang, J. Astronautics 35(3), 2014, section 1.3 leaves the transit open;
         gamma is chosen so that P(transit > nT) = P(Gamma(8, 1) > 16) = 0.010.
 """
 

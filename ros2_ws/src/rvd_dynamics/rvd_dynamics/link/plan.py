@@ -8,7 +8,7 @@ turns random transits into a constant delay plus erasures. Both get the same ans
 Row k is about the frame sent in step k. Column 0 is the frame itself, column 1 the copy that
 the link may make of it. Transits are integer ns, so that "transit = nT is in time" is exact.
 
-Source  Zhang, Li, Tang, J. Astronautics 35(3), 2014, section 1.2, rules (1)-(3).
+Source  Zhang, Li, Tang, J. Astronautics 35(3), 2014, section 1.3, rules (1)-(4).
 """
 
 from dataclasses import dataclass

@@ -6,7 +6,7 @@ refused, because a stale thrust command is worse than none. There is one slot fo
 instant of release that can lie ahead, n + 1 in all, so nothing can grow. The buffer owns no
 clock: instants are integer ns of simulation time.
 
-Source  Zhang, Li, Tang, J. Astronautics 35(3), 2014, section 1.2: a frame with transit
+Source  Zhang, Li, Tang, J. Astronautics 35(3), 2014, section 1.3: a frame with transit
         lT < delta <= (l + 1)T enters position l + 1 of n and moves one position per T.
         That shift register and these slots release the same frames at the same instants.
 """
