@@ -67,6 +67,10 @@ def test_the_first_of_several_roots():
     assert_allclose(s, 0.2, atol=2e-6)                  # curvature over a cell of 1/1024
 
 
+def test_a_root_at_the_end_is_found_though_rounding_has_lost_it():
+    assert arc.first_not_positive(lambda s: 1.0 - s + 1e-16, np.ones(1)).item() == 1.0
+
+
 def test_a_search_of_nothing_finds_nothing():
     assert arc.lowest(lambda s: s, np.ones(0))[0].shape == (0,)
     assert arc.first_not_positive(lambda s: s, np.ones(0)).shape == (0,)

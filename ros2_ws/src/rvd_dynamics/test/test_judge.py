@@ -92,6 +92,11 @@ def test_the_closing_rate_must_stay_below_its_limit(rate, reason):
     assert v.x_rate == pytest.approx(rate, abs=1e-12)
 
 
+def test_coming_to_rest_on_the_plane_is_no_docking():
+    v = judged([-0.125, 0.0, 0.0, 0.5, 0.0, 0.0], [-1.0, 0.0, 0.0])
+    assert (v.success, v.reason, v.x_rate, v.duration) == (False, 'closing_rate', 0.0, H)
+
+
 def test_the_lateral_rate_must_stay_below_its_limit():
     mission = Mission(step_s=H, docking=DockingParams(max_lateral_rate_m_s=0.05))
     v = judged([-0.5, 0.0, 0.0, 0.25, 0.03, 0.05], mission=mission)
@@ -164,6 +169,20 @@ def test_what_lies_behind_the_docking_plane_does_not_count():
     assert v.min_corridor_margin > 0
 
 
+def test_the_last_way_to_the_plane_counts_for_the_margin():
+    # in, then out again in the last tenth of a second: lower at the plane than at any sample
+    judge = Judge(MISSION)
+    judge.start([-0.5, 0.2, 0.0, 0.25, 0.0, 0.0])
+    judge.advance(1, [-0.115, 0.15, 0.0, 0.25, 0.0, 0.0], REST)
+    judge.advance(2, [0.01, 0.2, 0.0, 0.25, 0.24, 0.0], REST)
+    v = judge.verdict()
+    spline = CubicHermiteSpline([0, H], [[-0.115, 0.15, 0], [0.01, 0.2, 0]],
+                                [[0.25, 0, 0], [0.25, 0.24, 0]])
+    place = spline(0.46)
+    assert v.offset == pytest.approx(place[1], abs=1e-9)
+    assert v.min_corridor_margin == pytest.approx(corridor.signed_distance(place, CONE), abs=1e-8)
+
+
 def test_leaving_just_before_the_docking_plane_counts():
     start = [-0.1, 0.29, 0.0, 0.25, 0.1, 0.0]
     v = judged(start)
@@ -219,6 +238,14 @@ def test_p10_truth_that_is_not_finite_cannot_dock_even_beyond_the_plane():
     judge.start([-0.1, 0.0, 0.0, 0.25, 0.0, 0.0])
     judge.advance(1, [0.025, np.nan, 0.0, 0.25, 0.0, 0.0], REST)
     assert judge.verdict().reason == 'invalid'
+
+
+def test_leaving_does_not_hide_what_came_later():
+    judge = Judge(MISSION)
+    judge.start([-1.0, 0.5, 0.0, 0.25, 0.0, 0.0])
+    assert (judge.verdict().reason, judge.verdict().exit_time) == ('', 0.0)
+    judge.advance(1, np.full(6, np.nan), REST)
+    assert (judge.verdict().reason, judge.verdict().exit_time) == ('invalid', 0.0)
 
 
 @pytest.mark.parametrize('start', [[0.0, 0.0, 0.0, 0.25, 0.0, 0.0], [2.0] + [0.0]*5,
@@ -353,7 +380,7 @@ def row(verdict, i):
 
 def test_a_run_in_a_batch_is_judged_to_the_bit_like_a_single_one():
     states, accels = flights(1000, MISSION, seed=1)
-    states[100, 4] = np.nan                         # also among broken ones
+    states[100, 4] = np.inf                         # also among broken ones
     accels[50, 5] = np.inf
     with np.errstate(invalid='raise', over='raise'):
         batch = judge_all(MISSION, states, accels, (1000,))

@@ -22,6 +22,10 @@ def test_noise_is_one_percent_of_the_thrust():
     assert np.all(np.abs(accel.mean(axis=0) - nominal) < 5 * 0.01*np.abs(nominal) / 200)
 
 
+def test_a_draw_of_one_deviation_is_one_percent_more():
+    assert execute([1, 0, -3], THRUST, [1.0, 1.0, 1.0], 0.01) == pytest.approx([.0101, 0, -.0202])
+
+
 def test_nothing_commanded_is_nothing_executed():
     assert execute([0, 0, 0], THRUST, [3.0, -4.0, 5.0], 0.01).tolist() == [0.0, 0.0, 0.0]
 
