@@ -297,6 +297,28 @@ def test_a_batch_of_another_shape_is_refused():
         Judge(MISSION, (3,)).start(np.zeros((2, 6)))
 
 
+def test_without_any_control_the_reference_approach_leaves_at_69_seconds():
+    model, judge = Cw(MISSION), Judge(MISSION)
+    state = np.array([-30.0, 0.0, 0.0, 0.25, 0.0, 0.0])
+    judge.start(state)
+    for step in range(1, 401):
+        state = model.advance(state, REST)
+        judge.advance(step, state, REST)
+    v = judge.verdict()
+    n = MISSION.orbit.mean_motion
+
+    def station(t):                                 # eq. 19
+        return -30.0 + np.sin(n*t)/n - 0.75*t
+
+    def offset(t):
+        return 0.5*(1 - np.cos(n*t))/n
+
+    t = brentq(lambda t: offset(t) - corridor.radius(station(t), CONE), 10.0, 100.0, xtol=1e-12)
+    assert t == pytest.approx(68.9, abs=0.1) and station(t) == pytest.approx(-12.8, abs=0.05)
+    assert v.reason == 'left_corridor' and v.exit_time == pytest.approx(t, abs=1e-7)
+    assert_allclose(v.exit_position, [station(t), offset(t), 0.0], atol=1e-8)
+
+
 # -- flights ----------------------------------------------------------------------------------
 
 def flights(runs, mission, seed=0):
