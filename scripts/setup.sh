@@ -33,26 +33,30 @@ PYTHON
 python_lacks() {
     "$1" -I - << 'PYTHON'
 import importlib.util, os, sys, sysconfig
-if importlib.util.find_spec('ensurepip') is None or importlib.util.find_spec('venv') is None:
-    print('python3-venv' if sys.executable == '/usr/bin/python3' else 'python%d.%d-venv' % sys.version_info[:2])
+ours = os.path.realpath(sys.executable)
+name = 'python3'
+if ours.startswith('/usr/bin/') and ours != os.path.realpath('/usr/bin/python3'):
+    name = os.path.basename(ours)
+if not (importlib.util.find_spec('venv') and importlib.util.find_spec('ensurepip')):
+    print(name + '-venv')
 if not os.path.exists(os.path.join(sysconfig.get_path('include'), 'Python.h')):
-    print('python3-dev' if sys.executable == '/usr/bin/python3' else 'python%d.%d-dev' % sys.version_info[:2])
+    print(name + '-dev')
 PYTHON
 }
 
-# Set `python` to the interpreter to build on: the first complete one of the candidates, else the
-# first that is supported, whose gaps are then named.
+# Set `python` to the interpreter to build on, and `lacks` to the packages that complete it: the
+# first complete one of the candidates, else the first that is supported, else nothing.
 find_python() {
-    local candidate base first='' candidates=(python3 python3.12 python3.11 python3.13 python3.10)
+    local candidate base gaps candidates=(python3 python3.12 python3.11 python3.13 python3.10)
     [[ $ros != wheels ]] && candidates=(/usr/bin/python3 python3)       # the one ROS is built for
     [[ -n ${RVD_PYTHON:-} ]] && candidates=("$RVD_PYTHON")
+    python='' lacks=''
     for candidate in "${candidates[@]}"; do
         base=$(supported_python "$candidate") || continue
-        python=$base
-        [[ -z $(python_lacks "$candidate") ]] && return
-        first=${first:-$base}
+        gaps=$(python_lacks "$candidate" | tr '\n' ' ')
+        [[ -n $python && -n $gaps ]] || python=$base lacks=$gaps
+        [[ -n $gaps ]] || break
     done
-    python=$first
 }
 
 check_machine() {
@@ -77,9 +81,12 @@ check_machine() {
                 "install one, or ROS 2 Jazzy; RVD_PYTHON=/path/to/python chooses"
         missing+=' python3 python3-venv python3-dev'
     else
-        missing+=$(python_lacks "$python" | sed 's/^/ /' | tr -d '\n')
+        missing+=${lacks:+ ${lacks% }}
     fi
     [[ -z $missing ]] || die "missing on this machine: sudo apt-get install$missing"
+    [[ $ros == wheels ]] || (load_underlay && "$python" -c 'import rclpy') 2> /dev/null ||
+        die "$python cannot import rclpy of ROS 2 ($ros): RVD_PYTHON=/path/to/python names its" \
+            'Python, RVD_ROS_PREFIX=none does without this ROS'
 }
 
 # ---------------------------------------------------------------------------- progress by stage
@@ -121,36 +128,6 @@ report_progress() {
 
 # --------------------------------------------------------------------------- Python environment
 
-# Print the entries of the lock whose names match the pattern $1; `! PATTERN` for all others.
-locked() {
-    local keep=1
-    [[ $1 == '!' ]] && { keep=0; shift; }
-    awk -v names="^($1)\$" -v keep="$keep" '
-        /^[A-Za-z]/ { split($1, entry, "=="); wanted = (entry[1] ~ names) == keep }
-        /^[A-Za-z ]/ && wanted { print }' "$root/requirements.lock"
-}
-
-# What a ROS 2 installation brings and must stay its own: two numpy, or two versions of what its
-# generators import, break it. Names that the system's Python has; all of ros-* in any case.
-brought_by_ros() {
-    "$python" - << 'PYTHON'
-from importlib.metadata import PackageNotFoundError, distribution
-ours = ['ros-.*']
-for theirs, names in {
-        'numpy': ['numpy'], 'setuptools': ['setuptools'], 'empy': ['empy'], 'PyYAML': ['pyyaml'],
-        'lark': ['lark-parser'], 'lark-parser': ['lark-parser'], 'catkin_pkg': ['catkin-pkg'],
-        'catkin_pkg_modules': ['catkin-pkg'], 'pytest': ['pytest', 'pluggy', 'iniconfig'],
-        'colcon-ros': ['colcon-.*', 'pytest-cov', 'pytest-repeat', 'pytest-rerunfailures'],
-}.items():
-    try:
-        distribution(theirs)
-        ours += names
-    except PackageNotFoundError:
-        pass
-print('|'.join(ours))
-PYTHON
-}
-
 pip() {
     # Settings of the machine choose the index; none may change what is installed, or where.
     env -u PIP_TARGET -u PIP_PREFIX -u PIP_ROOT -u PIP_REQUIREMENT -u PIP_EDITABLE -u PIP_NO_BINARY \
@@ -165,24 +142,26 @@ create_environment() {
     printf '%s\n' "${RVD_PYTHON:-}" "$python" > "$state/python"
 }
 
+# install TOOL FILE: the entries of a lock file, exactly these.
+install() {
+    local tool=("$1")
+    [[ $1 == uv ]] && tool=(env -u UV_CONSTRAINT -u UV_OVERRIDE "$venv/bin/python" -m uv pip)
+    "${tool[@]}" install --no-deps --no-build-isolation --require-hashes -r "$2"
+}
+
 install_packages() {
     local lock=$state/install.lock tools=$state/tools.lock
-    local options=(--no-deps --no-build-isolation --require-hashes)
     if [[ $ros == wheels ]]; then
         cp "$root/requirements.lock" "$lock"
-        locked 'setuptools|uv' > "$tools"
     else
-        local theirs
-        theirs=$(brought_by_ros)
-        locked '!' "$theirs" > "$lock"
-        locked 'uv' > "$tools"
-        locked '!' "$theirs" | grep '^setuptools==' > /dev/null && locked 'setuptools' >> "$tools"
+        (load_underlay && "$python" "$root/scripts/lock_beside_ros.py" "$root/requirements.lock") > "$lock"
     fi
-    pip install "${options[@]}" -r "$tools"
-    # uv is three times as fast, but knows nothing of an index that is set for pip alone.
-    if pip config list | grep -E '\.(index-url|proxy|no-index)=' > /dev/null ||
-        ! env -u UV_CONSTRAINT -u UV_OVERRIDE "$venv/bin/python" -m uv pip install --python "$venv/bin/python" "${options[@]}" -r "$lock"; then
-        pip install "${options[@]}" -r "$lock"
+    # First what installs the rest: uv, and setuptools for the one entry that has no wheel.
+    awk '/^[A-Za-z]/ { tool = /^(uv|setuptools)==/ } tool' "$lock" > "$tools"
+    install pip "$tools"
+    # uv takes a third of pip's time, but knows nothing of an index that is set for pip.
+    if pip config list | grep -E '\.(index-url|no-index|proxy)=' || ! install uv "$lock"; then
+        install pip "$lock"
     fi
     if [[ $ros == wheels ]]; then
         "$venv/bin/python" "$root/scripts/repair_wheels.py"
@@ -191,11 +170,10 @@ install_packages() {
 
 # ------------------------------------------------------------------------------------ workspace
 
-# The environment below the workspace: ROS and the tools.
+# The environment below the workspace: ROS and the tools, and no settings of the user for colcon.
 load_underlay() {
     export PATH=$venv/bin:$PATH COLCON_HOME=$state/colcon
     if [[ $ros == wheels ]]; then
-        unset PYTHONPATH PYTHONHOME COLCON_PREFIX_PATH _ROS_WHEELS_BOOTSTRAP_COMPLETE
         export AMENT_PREFIX_PATH=$venv CMAKE_PREFIX_PATH=$venv
     elif [[ $ros != sourced ]]; then
         set +u
@@ -307,42 +285,42 @@ PYTHON
 # ------------------------------------------------------------------------------------------ main
 
 set_up() {
-    local started=$SECONDS why before now
+    local started=$SECONDS why packages build before
     check_machine
     rm -f "$state/done"
+    packages=$(venv_inputs) build=$(build_inputs)
 
-    now=$(venv_inputs)
     before=$(recorded "$venv/complete") || true
-    if [[ $before != "$now" ]] || ! same_python; then
+    if [[ $before != "$packages" ]] || ! same_python; then
         why='first use'
         [[ -d $venv ]] && why='the last set-up was interrupted'
-        [[ -n $before ]] && why='the lock file, the ROS, the Python or the place of the project changed'
-        say "setting up in $state ($why): about a minute, 1 GB"
+        [[ -n $before ]] && why='the lock file, ROS, the Python or the place of the project changed'
+        say "setting up in $state ($why): a minute or two, 1 GB"
         rm -rf "$venv" "$state"/{build,install,env.sh}
         stage environment "making the environment ($("$python" -V 2>&1))" create_environment
         stage packages "installing $(grep -c '^[A-Za-z]' "$root/requirements.lock") pinned packages" \
             install_packages
-        echo "$now" > "$venv/complete"
+        echo "$packages" > "$venv/complete"
     fi
 
-    now=$(build_inputs)
     before=$(recorded "$state/build/complete") || true
-    if [[ $before != "$now" ]]; then
+    if [[ $before != "$build" ]]; then
         # What a removed file left behind, or an interrupted build, is not for colcon to mend.
-        if [[ -n $(comm -23 <(cut -c67- <<< "$before" | sort) <(cut -c67- <<< "$now" | sort)) ||
-            -z $before ]]; then
-            rm -rf "$state"/{build,install}
-        fi
+        [[ -n $before && -z $(gone_from "$before" "$build") ]] || rm -rf "$state"/{build,install}
         rm -f "$state/build/complete"
         stage build 'building the workspace' build_workspace
         write_environment
         stage check 'checking that all of it loads' check_environment
-        echo "$now" > "$state/build/complete"
+        echo "$build" > "$state/build/complete"
     fi
     [[ -r $state/env.sh ]] || write_environment
-    { venv_inputs; build_inputs; } > "$state/done.new"
+    printf '%s\n' "$packages" "$build" > "$state/done.new"
     mv "$state/done.new" "$state/done"
     say "ready after $((SECONDS - started)) s"
+}
+
+gone_from() {                                   # gone_from BEFORE NOW: files that are no more
+    comm -23 <(cut -c67- <<< "$1" | sort) <(cut -c67- <<< "$2" | sort)
 }
 
 case "${1:-}" in
@@ -358,6 +336,10 @@ if ! flock --nonblock 9; then
 fi
 trap 'say "interrupted; the next call repairs it"; exit 130' INT
 find_ros
+unset PYTHONHOME _ROS_WHEELS_BOOTSTRAP_COMPLETE
+if [[ $ros == wheels ]]; then                   # whatever else this shell has loaded
+    unset PYTHONPATH AMENT_PREFIX_PATH CMAKE_PREFIX_PATH COLCON_PREFIX_PATH
+fi
 [[ ${1:-} == --again ]] && rm -rf "$state"/{done,venv,build,install,env.sh,colcon}
 if up_to_date; then
     say "up to date: $state"

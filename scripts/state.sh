@@ -1,7 +1,7 @@
 # Where the set-up lives, and whether it is up to date. Sourced by `rvd` and `scripts/setup.sh`.
 #
-# Expects `root`, the project's directory. It starts no Python and one process (sha256sum), since
-# every warm call of `./rvd` passes through here.
+# Expects `root`, the project's directory. It starts no Python and two short processes (sha256sum),
+# since every warm call of `./rvd` passes through here.
 
 state=$root/.rvd
 venv=$state/venv
