@@ -1,0 +1,42 @@
+"""
+Guidance laws: what the automatic controller wants at the predicted state.
+
+`LAWS` lists them by the name a scenario gives. Each is a frozen dataclass: `mission` first,
+then its settings, `uses_stick` (does it look at the pilot's levels?) and
+`levels(prediction, stick_levels) -> levels`. Add one: one file, one line here.
+"""
+
+from typing import ClassVar, Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rvd_dynamics.mission import Mission
+from rvd_groundstation.guidance.corridor_apf import CorridorApf
+from rvd_groundstation.guidance.none import NoLaw
+
+
+class Law(Protocol):
+    """What `LAWS` lists."""
+
+    mission: Mission
+    uses_stick: ClassVar[bool]
+
+    def levels(self, prediction: ArrayLike, stick_levels: ArrayLike | None) -> NDArray[np.int8]:
+        """
+        Return levels -3..3 for states at the instant at which a command sent now will act.
+
+        Parameters
+        ----------
+        prediction : array_like, shape (..., 6)
+            States [m, m/s]; a row that is not finite gives level 0.
+        stick_levels : array_like of int, shape (..., 3), or None
+            The pilot's levels, for laws that use them; None when he has nothing to say.
+
+        Returns
+        -------
+        ndarray of int8, shape (..., 3)
+        """
+
+
+LAWS = {'corridor_apf': CorridorApf, 'none': NoLaw}

@@ -1,0 +1,144 @@
+"""
+Artificial potential field of the corridor wall: a push inwards near the wall and outside it.
+
+Frame   target orbital (+x along track, +y radially outward, +z completes the triad).
+State   (x, y, z, vx, vy, vz) [m, m/s] on the last axis; leading axes are batch axes.
+Source  Zhang, Li, Tang, J. Astronautics 35(3), 2014, eq. 9-11 with the control boundary of
+        eq. 24. With e the unit vector towards the nearest wall point q, D the distance to it:
+        W = l1/D + l2 v.e,      U = -grad_p W - grad_v W = -l1 e/D^2 - M - l2 e,
+        where M = l2 grad_p(v.e). Taken: D signed and at least `least_distance_m`, so that the
+        push does not turn round outside; M left out; the lateral components alone; acting
+        wherever rho > R_cb. The paper prints +grad in eq. 10 and for M a scalar minus a
+        vector, meant as l2 [(v.e)e - v]/D, which holds for q frozen; q moves with the
+        chaser, and then M = l2 cos(alpha) v_t / rho, v_t the velocity round the axis.
+Limits  no damping: l2 pushes with one strength whatever the speed. No band is left at the
+        docking plane. docs/models/corridor_apf.md has what each printed variant does.
+"""
+
+from dataclasses import dataclass
+from math import cos, inf
+from typing import ClassVar
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rvd_dynamics.corridor import (
+    control_boundary, outward_normal, radius, ray_nearest_point, signed_distance)
+from rvd_dynamics.mission import Mission
+from rvd_dynamics.params import param, require
+from rvd_dynamics.spacecraft.levels import nearest_level
+
+Array = NDArray[np.float64]
+CHOICES = {
+    'gradient': ('descent', 'printed_ascent'),
+    'tangential': ('dropped', 'frozen_q', 'moving_q'),
+    'distance': ('signed', 'printed_unsigned'),
+    'nearest_point': ('normal', 'printed_ray'),
+    'boundary_rate': ('at_arrival', 'printed_at_station'),
+    'boundary_sign': ('clamped', 'printed_squared'),
+}
+
+
+@dataclass(frozen=True)
+class CorridorApf:
+    """Potential field of the corridor wall within the control boundary (eq. 9-24, corrected)."""
+
+    mission: Mission
+    uses_stick: ClassVar[bool] = False
+
+    lambda_1_m3_s2: float = param(2e-4, 'Strength that grows towards the wall [m^3/s^2].')
+    lambda_2_m_s2: float = param(5e-3, 'Strength that is the same in the whole band [m/s^2].')
+    least_distance_m: float = param(0.02, 'Distance to the wall is never taken smaller [m].')
+    band_m: float = param(0.0, 'Depth of a fixed band at the wall [m], l0 of eq. 9; 0: none.')
+    damping_per_s: float = param(0.0, 'Also brakes motion towards the wall [1/s]; not in paper.')
+    closing_rate_m_s: float = param(0.25, 'Closing rate of the control boundary [m/s].')
+    gradient: str = param('descent', 'descent; for study printed_ascent, eq. 10 as printed.')
+    tangential: str = param('dropped', 'Middle term of eq. 11: dropped; for study frozen_q, '
+                            'moving_q.')
+    along_x: bool = param(False, 'For study: let the force act along x too.')
+    distance: str = param('signed', 'signed; for study printed_unsigned, eq. 13 and 17.')
+    nearest_point: str = param('normal', 'normal; for study printed_ray, eq. 14-15 as printed.')
+    boundary_rate: str = param('at_arrival', 'Drift rate of eq. 22: at_arrival; for study '
+                               'printed_at_station.')
+    boundary_sign: str = param('clamped', 'Control boundary below 0: clamped; for study '
+                               'printed_squared, eq. 24.')
+
+    def __post_init__(self) -> None:
+        for name in ('lambda_1_m3_s2', 'lambda_2_m_s2', 'band_m', 'damping_per_s'):
+            value = getattr(self, name)
+            require(0.0 <= value < inf, name, 'be a number, not negative', value)
+        for name in ('least_distance_m', 'closing_rate_m_s'):
+            value = getattr(self, name)
+            require(0.01 <= value < inf, name, 'be at least 0.01', value)
+        for name, allowed in CHOICES.items():
+            require(getattr(self, name) in allowed, name, f'be one of {", ".join(allowed)}',
+                    getattr(self, name))
+
+    def levels(self, prediction: ArrayLike, stick_levels: ArrayLike | None) -> NDArray[np.int8]:
+        """Return the nearest levels (..., 3) to `repulsion`; see `Law.levels`."""
+        return nearest_level(self.repulsion(prediction), self.mission.thrust)
+
+    def repulsion(self, state: ArrayLike) -> Array:
+        """
+        Return the acceleration (..., 3) [m/s^2] that the field asks for at `state` (..., 6).
+
+        Zero inside the control boundary; lateral components NaN where the state is unknown.
+        """
+        state = np.asarray(state, dtype=float)
+        x, y, z = state[..., 0], state[..., 1], state[..., 2]
+        rho = np.sqrt(y*y + z*z)
+        at_rest = rho <= self.boundary(x)               # false also where x or rho is unknown
+        force = self._force(state, rho)
+        if not self.along_x:
+            force[..., 0] = 0.0
+        return np.where(at_rest[..., None], 0.0, force)
+
+    def boundary(self, x: ArrayLike) -> Array:
+        """Return the radius [m] at stations `x` [m] (...) beyond which the field acts."""
+        corridor = self.mission.corridor
+        if self.band_m > 0.0:
+            return np.maximum(radius(x, corridor) - self.band_m/cos(corridor.alpha), 0.0)
+        delay = self.mission.forward_delay_s + self.mission.back_delay_s
+        found = control_boundary(
+            x, corridor, self.mission.orbit.mean_motion, self.closing_rate_m_s, delay,
+            at_arrival=self.boundary_rate == 'at_arrival',
+            clamp=self.boundary_sign == 'clamped')
+        return np.abs(found)                    # eq. 24 squares it; clamped it is no change
+
+    def _force(self, state: Array, rho: Array) -> Array:
+        """Return eq. 11 everywhere, whether in the band or not."""
+        position, velocity = state[..., :3], state[..., 3:]
+        d = signed_distance(position, self.mission.corridor)
+        e = self._towards_wall(position, d)
+        d = np.abs(d) if self.distance == 'printed_unsigned' else d
+        d = np.maximum(d, self.least_distance_m)
+        closing = (velocity[..., 0]*e[..., 0] + velocity[..., 1]*e[..., 1]
+                   + velocity[..., 2]*e[..., 2])
+        push = self.lambda_1_m3_s2/(d*d) + self.lambda_2_m_s2
+        push = push + self.damping_per_s*np.maximum(closing, 0.0)
+        force = -(push[..., None]*e)
+        if self.tangential == 'frozen_q':
+            force -= self.lambda_2_m_s2*(closing[..., None]*e - velocity) / d[..., None]
+        elif self.tangential == 'moving_q':
+            force -= self._tangential(state, rho)
+        return force if self.gradient == 'descent' else -force
+
+    def _towards_wall(self, position: Array, d: Array) -> Array:
+        """Return e_pq (eq. 17): the normal, which does not turn round outside."""
+        corridor = self.mission.corridor
+        if self.nearest_point == 'printed_ray':
+            e = ray_nearest_point(position, corridor, printed=True) - position
+            length = np.sqrt(e[..., 0]*e[..., 0] + e[..., 1]*e[..., 1] + e[..., 2]*e[..., 2])
+            return e / np.where(length > 0.0, length, 1.0)[..., None]
+        e = outward_normal(position, corridor)
+        if self.distance == 'printed_unsigned':
+            e = np.where((d < 0.0)[..., None], -e, e)
+        return e
+
+    def _tangential(self, state: Array, rho: Array) -> Array:
+        """Return l2 cos(alpha) v_t / rho, the gradient of v.e when q moves with the chaser."""
+        _, y, z, _, vy, vz = np.moveaxis(state, -1, 0)
+        away = np.where(rho > 0.0, rho, 1.0)
+        spin = (y*vz - z*vy) / (away*away*away)         # v_t / rho per metre of (-z, y)
+        scale = self.lambda_2_m_s2 * cos(self.mission.corridor.alpha)
+        return scale * np.stack([np.zeros_like(spin), -z*spin, y*spin], axis=-1)
