@@ -16,8 +16,9 @@ from rvd_dynamics.mission import Mission
 from rvd_dynamics.orbit import cw
 from rvd_dynamics.orbit.models import TRUTH_MODELS
 from rvd_dynamics.params import build, flatten
-from rvd_dynamics.sensors import SensorParams, SENSORS
+from rvd_dynamics.sensors import SENSORS
 from rvd_dynamics.spacecraft import levels, thrusters
+from rvd_dynamics.world import SensorParams
 
 MISSION = Mission()
 CONE, N = MISSION.corridor, MISSION.orbit.mean_motion
@@ -151,16 +152,15 @@ def test_truth_steps_join_whatever_their_length(truth):
     assert_allclose(ends, np.broadcast_to(ends[0], (4, 6)), rtol=0.0, atol=1e-11)
 
 
-def test_every_sensor_has_its_settings_under_its_name():
-    nested = {f.name: f.default_factory for f in fields(SensorParams) if f.name != 'model'}
-    assert nested == SENSORS
-    for name, sensor in SENSORS.items():
-        assert SensorParams(model=name).selected == sensor()
-    changed = build(SensorParams, {'multiplicative.noise_fraction': 0.5})
-    assert changed.selected.noise_fraction == 0.5
+@pytest.mark.parametrize('name', SENSORS)
+def test_every_sensor_can_be_chosen_and_set_by_its_name(name):
+    assert SensorParams(sensor=name).selected == SENSORS[name]()
+    keys = [key for key in flatten(SensorParams()) if key.startswith(f'{name}.')]
+    assert len(keys) == len(fields(SENSORS[name]))
+    changed = build(SensorParams, {'sensor': name, 'multiplicative.noise_fraction': 0.5})
     assert flatten(changed)['multiplicative.noise_fraction'] == 0.5
 
 
 def test_an_unknown_sensor_is_refused_with_the_ones_there_are():
-    with pytest.raises(ValueError, match="model must be one of multiplicative.*, got lidar"):
-        SensorParams(model='lidar')
+    with pytest.raises(ValueError, match='sensor must be one of multiplicative.*, got lidar'):
+        SensorParams(sensor='lidar')

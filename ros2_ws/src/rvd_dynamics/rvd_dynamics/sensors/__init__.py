@@ -1,5 +1,5 @@
 """Sensor models; the table is `SENSORS`."""
 
-from rvd_dynamics.sensors.models import Multiplicative, SensorParams, SENSORS
+from rvd_dynamics.sensors.models import Multiplicative, SENSORS
 
-__all__ = ['Multiplicative', 'SENSORS', 'SensorParams']
+__all__ = ['Multiplicative', 'SENSORS']

@@ -1,8 +1,8 @@
 """
 Sensors: what the chaser measures of its true relative state.
 
-Each is a frozen dataclass with `measure(state, normals)`; to add one, write it, list it
-in SENSORS and give SensorParams a field of its name.
+Each is a frozen dataclass with `measure(state, normals)`; to add one, write it and list it
+in SENSORS.
 
 Frame, state as `orbit.cw`; unknown is NaN.
 """
@@ -46,19 +46,3 @@ class Multiplicative:
 
 
 SENSORS = {'multiplicative': Multiplicative}
-
-
-@dataclass(frozen=True)
-class SensorParams:
-    """Settings of `relative_sensor`: which sensor, and the settings of each."""
-
-    model: str = param('multiplicative', f'Sensor: {", ".join(SENSORS)}.')
-    multiplicative: Multiplicative = param(Multiplicative, 'Settings of `multiplicative`.')
-
-    def __post_init__(self) -> None:
-        require(self.model in SENSORS, 'model', f'be one of {", ".join(SENSORS)}', self.model)
-
-    @property
-    def selected(self) -> Sensor:
-        """The sensor that `model` names."""
-        return getattr(self, self.model)
