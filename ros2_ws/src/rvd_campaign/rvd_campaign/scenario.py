@@ -21,7 +21,6 @@ from rvd_dynamics.params import build, flatten, leaves
 from rvd_dynamics.recording.params import MarkerParams, RecorderParams
 from rvd_dynamics.world import DynamicsParams, SensorParams
 from rvd_groundstation.operators.pilot import PilotParams
-from rvd_groundstation.operators.tape import read_tape
 from rvd_groundstation.prediction.predictor import PredictorParams
 from rvd_groundstation.settings import BlenderParams, ControllerParams, ReplayParams
 
@@ -84,6 +83,7 @@ class Scenario:
 
     def loop(self) -> LoopSettings:
         """Return what the in-process loop needs to fly this scenario."""
+        from rvd_groundstation.operators.tape import read_tape
         replay = self.mission.operator == 'replay'
         return LoopSettings(
             mission=self.mission,
