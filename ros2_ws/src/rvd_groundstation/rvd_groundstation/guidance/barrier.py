@@ -1,0 +1,211 @@
+"""
+Predictive barrier: the level nearest to the pilot's from which the chaser can still stop inside.
+
+Frame   target orbital (+x along track, +y radially outward, +z completes the triad).
+State   (x, y, z, vx, vy, vz) [m, m/s] on the last axis; leading axes are batch axes. Inside,
+        components come first, and the levels -3..3 lie on an axis before them: (7, 2, n).
+Method  Ours; the paper has nothing like it. y and z each by itself: for each level one sample
+        under it, then a coast, then a brake until rest or docking. Where that ends outside
+        `margin_fraction` of the wall, the level violates by so much. The level of least
+        violation is wanted, among equals the one nearest to the pilot's. Several coasts are
+        tried and the worst counts: the cone closes, so a chaser at rest still meets the wall.
+Sharing the wanted level is the command that shall come out. A blend (eq. 25) would bend it, so
+        the law hands over the automatic level whose blend comes nearest.
+Limits  two axes in the square inside the circle; no bound on the error of the prediction.
+        docs/models/barrier.md has the derivation, what was measured and the physical ceiling.
+"""
+
+from dataclasses import dataclass, field
+from functools import cached_property
+from math import inf, sqrt
+from typing import ClassVar, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rvd_dynamics.corridor import radius
+from rvd_dynamics.mission import Mission
+from rvd_dynamics.params import param, require
+from rvd_dynamics.spacecraft.levels import acceleration, HIGHEST
+from rvd_groundstation.sharing import Eq25
+from rvd_groundstation.sharing.decision import Sharing
+
+Array = NDArray[np.float64]
+Levels = NDArray[np.int8]
+
+LEVELS = np.arange(-HIGHEST, HIGHEST + 1, dtype=np.int8)
+COUPLINGS = ('closing_rate', 'all', 'none')
+SLOWEST_M_S = 0.05              # [m/s] slower closing is taken as this: the end must come
+VIOLATION_WEIGHT = 1000.0       # [m/s^2 per m] a tenth of a millimetre outweighs any thrust
+THRUST_WEIGHT = 1e-4            # of equals the level with less thrust
+
+
+class Ahead(NamedTuple):
+    """What both lateral axes share: components first."""
+
+    x: Array                    # (n,)   station [m]
+    closing: Array              # (n,)   rate along x, not below SLOWEST_M_S [m/s]
+    left: Array                 # (n,)   time left after one sample until docking [s]
+    drift: Array                # (2, n) acceleration by orbital coupling [m/s^2]
+
+
+@dataclass(frozen=True)
+class Barrier:
+    """Least change of the pilot's command that keeps a way to stop inside the corridor."""
+
+    mission: Mission
+    sharing: Sharing = field(default_factory=Eq25)      # wiring: what becomes of our levels
+    uses_stick: ClassVar[bool] = True
+
+    coasts_s: tuple = param((0.0, 8.0), 'Coasts before the brake, the worst counts [s].')
+    brake_level: int = param(1, 'Lateral level of the brake that is kept in reserve, 1 to 3.')
+    margin_fraction: float = param(0.75, 'Share of the corridor radius that may be used.')
+    coupling: str = param('closing_rate', 'Orbital terms on y and z: closing_rate, the Coriolis '
+                          'term on y; all, the tidal terms too; none.')
+    keep_closing_m_s: tuple = param(
+        (0.18, 0.28), 'The pilot may not thrust out of these closing rates [m/s].')
+    force_closing_m_s: tuple = param(
+        (0.15, 0.285), 'Beyond these closing rates level 1 brings it back [m/s].')
+
+    def __post_init__(self) -> None:
+        require(len(self.coasts_s) > 0 and all(0.0 <= t < inf for t in self.coasts_s),
+                'coasts_s', 'be numbers, none negative', list(self.coasts_s))
+        require(self.brake_level in (1, 2, 3), 'brake_level', 'be 1, 2 or 3', self.brake_level)
+        require(0.0 < self.margin_fraction <= 1.0, 'margin_fraction', 'be above 0, at most 1',
+                self.margin_fraction)
+        require(self.coupling in COUPLINGS, 'coupling', f'be one of {", ".join(COUPLINGS)}',
+                self.coupling)
+        for name in ('keep_closing_m_s', 'force_closing_m_s'):
+            value = getattr(self, name)
+            require(len(value) == 2 and -inf < value[0] < value[1] < inf, name,
+                    'be two rising numbers', list(value))
+
+    def levels(self, prediction: ArrayLike, stick_levels: ArrayLike | None) -> Levels:
+        """
+        Return automatic levels (..., 3); see `Law.levels`.
+
+        Without a stick, and in mode auto, where nobody blends, the pilot counts as neutral and
+        the levels are the wanted command itself.
+        """
+        prediction = np.asarray(prediction, dtype=float)
+        alone = stick_levels is None or self.mission.mode == 'auto'
+        stick = np.zeros((*prediction.shape[:-1], 3), dtype=np.int8) if alone else stick_levels
+        wanted = self.wanted(prediction, stick)
+        return wanted if alone else self._automatic[np.add(stick, HIGHEST), wanted + HIGHEST]
+
+    def wanted(self, prediction: ArrayLike, stick_levels: ArrayLike) -> Levels:
+        """Return the command (..., 3) that shall come out; 0 where the state is unknown."""
+        prediction = np.asarray(prediction, dtype=float)
+        state = np.ascontiguousarray(prediction.reshape(-1, 6).T)
+        stick = np.ascontiguousarray(np.reshape(stick_levels, (-1, 3)).T)
+        wanted = np.empty(stick.shape, dtype=np.int8)
+        wanted[0] = self._closing(state[3], stick[0])
+        cost = self.violation(state)
+        cost *= VIOLATION_WEIGHT
+        cost += self._reluctance.take(stick[1:] + HIGHEST, axis=1)
+        wanted[1:] = cost.argmin(axis=0)
+        wanted[1:] -= HIGHEST
+        wanted *= np.isfinite(state).all(axis=0)
+        return wanted.T.reshape(*prediction.shape[:-1], 3)
+
+    def violation(self, state: Array) -> Array:
+        """Return by how much (7, 2, n) [m] each level misses the corridor from `state` (6, n)."""
+        dt = self.mission.step_s
+        ahead = self._ahead(state)
+        accel = self._lateral[:, None, None] + ahead.drift
+        p = (state[1:3] + state[4:6]*dt) + accel*(dt*dt/2.0)    # after one sample
+        v = state[4:6] + accel*dt
+        worst = np.zeros_like(p)
+        for coast in self.coasts_s:
+            np.maximum(worst, self._miss(p, v, ahead, coast), out=worst)
+        return worst
+
+    def _ahead(self, state: Array) -> Ahead:
+        n, dt = self.mission.orbit.mean_motion, self.mission.step_s
+        closing = np.maximum(state[3], SLOWEST_M_S)
+        to_go = np.maximum(-state[0]/closing, 0.0)
+        drift = np.zeros_like(state[1:3])
+        if self.coupling != 'none':
+            drift[0] = 2.0*n*state[3]
+        if self.coupling == 'all':
+            drift[0] += 3.0*n*n*state[1]
+            drift[1] = -n*n*state[2]
+        return Ahead(state[0], closing, np.maximum(to_go - dt, 0.0), drift)
+
+    def _miss(self, p: Array, v: Array, ahead: Ahead, coast_s: float) -> Array:
+        """Return how far outside (7, 2, n) [m] a coast and a brake from `p`, `v` end."""
+        brake = self._brake
+        coast = np.minimum(coast_s, ahead.left)
+        if coast_s > 0.0:
+            p = p + v*coast
+            p += ahead.drift*(coast*coast/2.0)
+            v = v + ahead.drift*coast
+        time = np.abs(v)                            # the brake: until rest or docking
+        time /= brake
+        np.minimum(time, ahead.left - coast, out=time)
+        station = ahead.closing*time
+        station += ahead.x + ahead.closing*(self.mission.step_s + coast)
+        np.minimum(station, 0.0, out=station)
+        bound = radius(station, self.mission.corridor)
+        bound *= self.margin_fraction/sqrt(2.0)     # the square inside the circle
+        end = v*time                                # v t - sign(v) a t^2 / 2
+        time *= time
+        time *= brake/2.0
+        end -= np.copysign(time, v, out=time)
+        end += p
+        np.abs(end, out=end)
+        end -= bound
+        return end
+
+    def _closing(self, rate: Array, stick: Levels) -> Levels:
+        """Return the level along x: the pilot's, unless it drives the closing rate too far."""
+        after = rate + self._along[stick + HIGHEST]*self.mission.step_s
+        slow, fast = self.keep_closing_m_s
+        too_slow, too_fast = self.force_closing_m_s
+        leaves = ((after <= slow) & (stick < 0)) | ((after >= fast) & (stick > 0))
+        level = np.where(leaves, 0, stick)
+        return np.where(rate > too_fast, -1, np.where(rate < too_slow, 1, level))
+
+    # -- tables over the levels -3..3 ------------------------------------------------------
+
+    @cached_property
+    def _along(self) -> Array:
+        """Acceleration along x of each level, (7,) [m/s^2]."""
+        return self._accelerations[:, 0].copy()
+
+    @cached_property
+    def _lateral(self) -> Array:
+        """Acceleration along y and z of each level, (7,) [m/s^2]."""
+        return self._accelerations[:, 1].copy()
+
+    @cached_property
+    def _accelerations(self) -> Array:
+        return acceleration(np.repeat(LEVELS[:, None], 3, axis=1), self.mission.thrust)
+
+    @cached_property
+    def _brake(self) -> float:
+        return float(self._lateral[HIGHEST + self.brake_level])
+
+    @cached_property
+    def _reluctance(self) -> Array:
+        """What a level costs that violates nothing: `[level, pilot's level]` (7, 7) [m/s^2]."""
+        a = self._lateral
+        return np.abs(a[:, None] - a) + THRUST_WEIGHT*np.abs(a)[:, None]
+
+    @cached_property
+    def _automatic(self) -> Levels:
+        """Automatic level `[pilot's, wanted]` (7, 7) whose shared command comes nearest."""
+        table = np.empty((LEVELS.size, LEVELS.size), dtype=np.int8)
+        for pilot in LEVELS.tolist():
+            for wanted in LEVELS.tolist():
+                table[pilot + HIGHEST, wanted + HIGHEST] = self._nearest(pilot, wanted)
+        return table
+
+    def _nearest(self, pilot: int, wanted: int) -> int:
+        if wanted == pilot:
+            return pilot
+
+        def rank(auto: int) -> tuple[int, int]:
+            shared = int(self.sharing.share([pilot], [auto])[0])
+            return abs(shared - wanted), abs(auto)
+        return min(LEVELS.tolist(), key=rank)

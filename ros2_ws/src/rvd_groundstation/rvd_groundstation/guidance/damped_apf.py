@@ -1,0 +1,24 @@
+"""
+The corridor's potential field with a fixed band and a brake on motion towards the wall.
+
+Frame, state, force as `corridor_apf`: this is that law with two of its settings at other
+defaults, and no mathematics of its own.
+Source  Zhang, Li, Tang 2014, eq. 9: the band l0 in place of the control boundary of eq. 24.
+        Ours: damping l3 max(v.n, 0) on top of eq. 11, n the outward normal of the wall, v the
+        velocity; a wall that only pushes gives back the speed with which it was met.
+Limits  see docs/models/damped_apf.md.
+"""
+
+from dataclasses import dataclass
+
+from rvd_dynamics.params import param
+from rvd_groundstation.guidance.corridor_apf import CorridorApf
+
+
+@dataclass(frozen=True)
+class DampedApf(CorridorApf):
+    """Potential field in a fixed band at the wall, with damping."""
+
+    band_m: float = param(0.5, 'Depth of the band at the wall [m], l0 of eq. 9; 0: the control '
+                          'boundary.')
+    damping_per_s: float = param(0.2, 'Brakes motion towards the wall [1/s].')
