@@ -31,7 +31,8 @@ from rvd_dynamics.ros import graph, qos
 from rvd_dynamics.ros.node import WatchNode
 from rvd_dynamics.ros.run import run
 
-RECORDED_STEP = '/run/recorded_step'            # our own, not recorded
+RECORDED_STEP = '/run/recorded_step'
+NOT_RECORDED = (RECORDED_STEP, '/parameter_events')     # our own, and what no run changes
 SCENARIO, TRUTH, VERDICT = '/run/scenario', '/truth/relative_state', '/run/verdict'
 REPORT_EVERY = 16               # [steps]
 LOOK_PERIOD_S = 1.0             # [s] wall time between two looks for new topics
@@ -66,7 +67,7 @@ class BagRecorder(WatchNode):
         for topic in self._owed():
             self._ledger.expect(topic)
         for topic, kind in graph.TOPICS.items():
-            if topic != RECORDED_STEP:
+            if topic not in NOT_RECORDED:
                 self._record(topic, kind, qos.of(topic, self.mission.joy_input))
         self._bag.describe()
         self.create_timer(LOOK_PERIOD_S, self._look_for_topics)
@@ -143,8 +144,8 @@ class BagRecorder(WatchNode):
     def _look_for_topics(self) -> None:
         """Record topics that are not in the graph's table, viewers' topics for instance."""
         for topic, kinds in self.get_topic_names_and_types():
-            known = topic in self._subscriptions_of or topic == RECORDED_STEP
-            if known or topic in self._unknown or '/_' in topic:
+            known = topic in self._subscriptions_of or topic in self._unknown
+            if known or topic in NOT_RECORDED or '/_' in topic:
                 continue
             writers = self.get_publishers_info_by_topic(topic)
             if not writers:
