@@ -43,6 +43,27 @@ def test_other_runs_equal_the_loop_too(args, tmp_path):
     assert_equals_loop(flown.run)
 
 
+BARRIER = {     # the law sees the stick and must know what the blender will do
+    'eq25': 'sharing: eq25',
+    'other_weight': 'sharing: eq25\n    eq25: {eta: 0.45}',
+    'filter': 'sharing: filter',
+    'hands_off': 'sharing: eq25',
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize('case', BARRIER)
+def test_barrier_equals_the_loop_with_any_sharing(case, tmp_path):
+    text = (ROOT / 'scenarios' / 'barrier.yaml').read_text()
+    head, _, _ = text.partition('    sharing:')
+    (tmp_path / 'own.yaml').write_text(f'{head}    {BARRIER[case]}\n')
+    args = ['--operator', 'none'] if case == 'hands_off' else []
+    flown = Flown(tmp_path / 'run', str(tmp_path / 'own.yaml'), *args, '--seed', '9',
+                  '--pace', 'lockstep', '--headless')
+    assert flown.code in (0, 1), flown.err
+    assert_equals_loop(flown.run)
+
+
 def assert_equals_loop(run):
     scenario = parse((run / 'scenario.yaml').read_text(), 'flown')
     alone = fly(scenario.loop(), [scenario.mission.run], record=True).history
@@ -51,6 +72,8 @@ def assert_equals_loop(run):
     np.testing.assert_array_equal(truth[:, :6], history[:len(truth)])
     levels = thrust(run)[:, :3]
     np.testing.assert_array_equal(levels, alone.executed[:len(levels), 0])
+    auto = np.array([m.levels for m in messages(run, '/ground/auto_command')])
+    np.testing.assert_array_equal(auto, alone.auto[:len(auto), 0])
 
 
 def test_random_streams_do_not_see_the_mode():

@@ -289,14 +289,19 @@ def tree(project):
 
 @pytest.fixture(scope='module')
 def ready(tmp_path_factory):
-    """Set a copy up, after two attempts that were killed; return (project, what it did, seconds)."""
+    """
+    Set a copy up, after two attempts that were killed.
+
+    Return (project, what the command that did it said, processor time it took [s]).
+    """
     project = copy_of_the_project(tmp_path_factory.mktemp('ready'))
     before = tree(project)
     kill_in_stage(project, 'making the environment', 1.0)
     kill_in_stage(project, 'installing', 2.0)
-    began = time.monotonic()
+    began = os.times()
     done = rvd(project, 'shell', 'python', '-c', 'import rclpy, rvd_interfaces.msg; print("loaded")')
-    seconds = time.monotonic() - began
+    ended = os.times()
+    seconds = sum(ended[2:4]) - sum(began[2:4])
     assert done.returncode == 0, done.stderr
     assert tree(project) == before
     return project, done, seconds
@@ -310,7 +315,8 @@ def test_the_first_command_sets_everything_up_and_says_what_it_does(ready):
     assert 'the last set-up was interrupted' in done.stderr
     for stage in ['making the environment', 'installing', 'building', 'checking', 'ready after']:
         assert stage in done.stderr
-    assert seconds < 180.0
+    # Under three minutes on any machine of today; processor time, since the cores may be shared.
+    assert seconds < 120.0
 
 
 @needs_wheels
@@ -320,11 +326,11 @@ def test_a_second_call_has_nothing_to_do_and_takes_no_time(ready):
     record = (project / '.rvd' / 'done').stat()
     taken = []
     for _ in range(7):
-        began = time.monotonic()
+        began = os.times()
         done = rvd(project, 'shell', 'true')
-        taken.append(time.monotonic() - began)
+        taken.append(sum(os.times()[2:4]) - sum(began[2:4]))
         assert (done.returncode, done.stdout, done.stderr) == (0, '', '')
-    assert min(taken) < 0.1                      # 0.015 s on an idle machine
+    assert min(taken) < 0.05
     assert 'up to date' in rvd(project, 'setup').stderr
     assert (project / '.rvd' / 'done').stat().st_mtime_ns == record.st_mtime_ns
 
@@ -429,23 +435,6 @@ def test_a_build_killed_half_way_is_repaired_with_the_change_that_caused_it(read
     assert (said[0] + said[1]).count('ready after') == 1
 
 
-@needs_wheels
-@pytest.mark.slow
-def test_a_moved_project_sets_itself_up_in_its_new_place(ready, tmp_path):
-    project, *_ = ready
-    moved = tmp_path / 'moved'
-    shutil.move(project, moved)
-    try:
-        done = rvd(moved, 'shell', 'pytest', '--version')
-        assert done.returncode == 0 and 'the place of the project changed' in done.stderr
-        for folder in ['venv/bin', 'install/rvd_dynamics/lib/rvd_dynamics']:
-            for path in (moved / '.rvd' / folder).iterdir():
-                first = path.read_bytes()[:300] if path.is_file() else b''
-                assert str(project).encode() not in first, path
-    finally:
-        shutil.move(moved, project)
-
-
 ROS_SETUP = """
 export ROS_DISTRO=jazzy ROS_VERSION=2 ROS_PYTHON_VERSION=3
 export AMENT_PREFIX_PATH={venv}${{AMENT_PREFIX_PATH:+:$AMENT_PREFIX_PATH}}
@@ -479,7 +468,43 @@ def imitate_installed_ros(prefix, venv):
 
 @needs_wheels
 @pytest.mark.slow
-def test_an_installed_ros_is_built_on_and_left_as_it_is(tmp_path, tmp_path_factory):
-    place = sorted(tmp_path_factory.getbasetemp().glob('ready*'))[-1]
-    if not rvd(place, 'setup').returncode == 0:
-        pytest.fail('the copy does not set up')
+def test_an_installed_ros_is_built_on_and_left_as_it_is(ready, project, tmp_path):
+    venv = ready[0] / '.rvd' / 'venv'
+    prefix = tmp_path / 'jazzy'
+    imitate_installed_ros(prefix, venv)
+    ros = {'RVD_ROS_PREFIX': str(prefix),
+           'RVD_PYTHON': (ready[0] / '.rvd' / 'python').read_text().splitlines()[1]}
+
+    line = ('echo $ROS_DISTRO; python -c "import rclpy, rvd_interfaces.msg, filterpy as f; '
+            'print(rclpy.__file__); print(f.__file__)"')
+    done = rvd(project, 'shell', '-c', line, **ros)
+    assert done.returncode == 0, done.stderr
+    own = project / '.rvd' / 'venv'
+    distro, rclpy, filterpy = done.stdout.splitlines()
+    assert distro == 'jazzy' and rclpy.startswith(str(prefix)) and filterpy.startswith(str(own))
+    assert not list(own.glob('lib/python3*/site-packages/ros_*'))
+    assert 'include-system-site-packages = true' in (own / 'pyvenv.cfg').read_text()
+
+    assert rvd(project, 'node', 'rvd_dynamics', 'markers', '-x', **ros).stdout == (
+        'ros2 run rvd_dynamics markers -x\n')
+    script = project / '.rvd/install/rvd_dynamics/lib/rvd_dynamics/markers'
+    assert script.read_text().startswith(f'#!{own}/bin/python')
+
+    # An overlay of the user that is loaded already keeps its place before ROS.
+    loaded = {'ROS_DISTRO': 'jazzy', 'AMENT_PREFIX_PATH': f'/home/user/ws:{venv}'}
+    path = rvd(project, 'shell', '-c', 'echo $AMENT_PREFIX_PATH', **ros, **loaded).stdout
+    assert path.strip().split(':')[-2:] == ['/home/user/ws', str(venv)]
+    assert path.count(str(venv)) == 1
+
+
+@needs_wheels
+@pytest.mark.slow
+def test_a_moved_project_sets_itself_up_in_its_new_place(ready, tmp_path):
+    project, *_ = ready
+    moved = tmp_path / 'moved'
+    shutil.move(project, moved)                  # the last test here: nothing goes on with it
+    done = rvd(moved, 'shell', 'pytest', '--version')
+    assert done.returncode == 0 and 'the place of the project changed' in done.stderr
+    for folder in ['venv/bin', 'install/rvd_dynamics/lib/rvd_dynamics']:
+        for path in (moved / '.rvd' / folder).iterdir():
+            assert not path.is_file() or str(project).encode() not in path.read_bytes()[:300]

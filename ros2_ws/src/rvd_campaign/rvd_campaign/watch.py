@@ -19,6 +19,7 @@ from rvd_dynamics.mission import Mission
 from rvd_dynamics.ros import graph, qos
 
 SHOWN = ('/truth/relative_state', '/ground/command', '/link/back/status', '/link/forward/status')
+SETTLE_S = 3.0                  # [s] wall time without news after which a look back is complete
 DECIDES = {BY_NOBODY: 'nobody', BY_PILOT: 'pilot', BY_AUTO: 'auto', BY_GUARD: 'guard'}
 
 
@@ -104,11 +105,12 @@ class FlightWatch:
                 f'least margin {margin:5.2f} m  transit {delay:4.2f} s, loop {loop:g} s  '
                 f'{_decides(command)}' + ('  PAUSED' if self.paused else ''))
 
-    def who_owes(self, nodes: list[str], recorder_lead: int, seconds: float = 2.0) -> list[str]:
+    def who_owes(self, nodes: list[str], recorder_lead: int) -> list[str]:
         """
         Return the nodes that owe a message, from the last step that each topic remembers.
 
-        Ring topics keep their history for late readers, so they are read only now.
+        Ring topics keep their history for late readers, so they are read only now. A hung node
+        gives nothing back, so the wait ends when nothing new has come for a while.
         """
         last: dict[str, int] = {}
 
@@ -125,8 +127,11 @@ class FlightWatch:
         topics = {t for name in nodes if name in graph.NODES for t in graph.NODES[name].emits}
         for topic in (topics - {'/clock'}) | {'/run/recorded_step'}:
             kind = message_type(graph.TOPICS[topic])
-            self._subscribe(topic, note(topic, kind), raw=True)
-        self.spin(seconds)
+            self._node.create_subscription(kind, topic, note(topic, kind), qos.LATCHED, raw=True)
+        known = -1
+        while known < sum(last.values()):
+            known = sum(last.values())
+            self.spin(SETTLE_S)
         return graph.who_owes(last, nodes, self._mission.operator, self._mission.joy_input,
                               recorder_lead)
 

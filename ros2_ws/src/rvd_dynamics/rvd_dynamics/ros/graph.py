@@ -126,7 +126,7 @@ def spec_of(name: str, operator: str, joy_input: str, law_uses_stick: bool = Fal
     Return the wiring of node `name` in a run with this pilot.
 
     The blender fires on the stick only when the pilot is stepped; a held stick is watched and
-    a missing one is not. A law that uses the stick fires on it too.
+    a missing one is not. So it is with a law that uses the stick.
 
     Raises
     ------
@@ -140,8 +140,10 @@ def spec_of(name: str, operator: str, joy_input: str, law_uses_stick: bool = Fal
     if name == 'command_blender' and not stepped:
         joy = () if operator == 'none' else ('/joy',)
         return Spec((('/ground/auto_command', 0),), spec.emits, joy, spec.writes)
-    if name == 'auto_controller' and law_uses_stick and stepped:
-        return Spec(spec.fires_on + (('/joy', 0),), spec.emits)
+    if name == 'auto_controller' and law_uses_stick and operator != 'none':
+        if stepped:
+            return Spec(spec.fires_on + (('/joy', 0),), spec.emits)
+        return Spec(spec.fires_on, spec.emits, ('/joy',))
     return spec
 
 
@@ -169,10 +171,11 @@ def who_owes(last: dict[str, int], nodes: Iterable[str], operator: str, joy_inpu
     def seen(topic: str) -> int:
         return last.get(topic, -1)
 
-    names, owing = list(nodes), []
+    names = list(nodes)
     if ('bag_recorder' in names
             and seen('/truth/relative_state') - seen('/run/recorded_step') >= recorder_lead):
-        owing.append('bag_recorder')
+        return ['bag_recorder']
+    owing = []
     for name in names:
         if name not in NODES or not NODES[name].emits:
             continue

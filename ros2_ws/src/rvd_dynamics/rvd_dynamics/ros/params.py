@@ -2,8 +2,10 @@
 Parameters of a node from the settings classes: declared once, with meaning and limits.
 """
 
+import sys
 from typing import Any
 
+import yaml
 from rcl_interfaces.msg import ParameterDescriptor
 from rclpy.exceptions import InvalidParameterTypeException
 from rclpy.node import Node
@@ -34,3 +36,32 @@ def declare(node: Node, settings: type, **wiring: Any) -> Any:
         except InvalidParameterTypeException as error:      # pragma: no cover - dynamic typing
             raise ValueError(f'{key}: {error}') from None
     return build(settings, values, **wiring)
+
+
+def settings_of(name: str, settings: type) -> Any:
+    """
+    Return the settings of another node, from the parameter files that this process was given.
+
+    All nodes of a run are given the same file, so what two of them must know stands in it once,
+    in the section of the one that it belongs to. Without a file the defaults count, as they do
+    there; what is set with `-p` on that node's own command line cannot be known here.
+    """
+    given: dict[str, Any] = {}
+    for flag, path in zip(sys.argv, sys.argv[1:]):
+        if flag == '--params-file':
+            with open(path, encoding='utf-8') as file:
+                tree = yaml.safe_load(file) or {}
+            for section in (name, f'/{name}'):
+                given.update(_dotted((tree.get(section) or {}).get('ros__parameters') or {}))
+    known = {key for key, _ in leaves(settings)}
+    return build(settings, {key: value for key, value in given.items() if key in known})
+
+
+def _dotted(tree: dict[str, Any], prefix: str = '') -> dict[str, Any]:
+    flat: dict[str, Any] = {}
+    for key, value in tree.items():
+        if isinstance(value, dict):
+            flat.update(_dotted(value, f'{prefix}{key}.'))
+        else:
+            flat[f'{prefix}{key}'] = value
+    return flat
