@@ -70,6 +70,8 @@ class Scenario:
             If the settings class refuses a value.
         """
         wiring = {} if section == SHARED else {'mission': self.mission}
+        if section == 'auto_controller':
+            wiring['sharing'] = self.settings('command_blender').selected
         try:
             return build(SETTINGS[section], self.sections.get(section, {}), **wiring)
         except ValueError as error:

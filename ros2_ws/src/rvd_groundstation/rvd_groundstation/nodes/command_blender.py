@@ -11,8 +11,6 @@ Serves      /run/control             rvd_interfaces/RunControl
 Parameters  the fields of BlenderParams
 """
 
-import time
-
 import numpy as np
 from sensor_msgs.msg import Joy
 from std_msgs.msg import Bool
@@ -24,12 +22,12 @@ from rvd_dynamics.ros.conversions import header_at
 from rvd_dynamics.ros.run import run
 from rvd_dynamics.ros.step_node import StepNode
 from rvd_dynamics.spacecraft.levels import stick_levels
+from rvd_groundstation.nodes.stick import HeldStick
 from rvd_groundstation.settings import BlenderParams
 from rvd_groundstation.sharing import decide
 from rvd_interfaces.msg import LinkFrame, ThrustCommand
 from rvd_interfaces.srv import RunControl
 
-HELD_FOR_S = 0.5                # [s] wall time after which a held stick is no pilot
 NEUTRAL = np.zeros(3, dtype=np.int8)
 
 
@@ -41,12 +39,12 @@ class CommandBlender(StepNode):
         self._sharing = self.settings(BlenderParams).selected
         self._mode = self.mission.mode
         self._abort = False
-        self._newest: tuple[float, Joy] | None = None
+        self._stick = HeldStick()
         self._stepped = ('/joy', 0) in self.spec.fires_on
         if self._stepped:
             self.step_input('/joy', Joy)
         elif '/joy' in self.spec.watches:
-            self.watch('/joy', Joy, self._hold)
+            self.watch('/joy', Joy, self._stick.take)
         self.step_input('/ground/auto_command', ThrustCommand)
         self._command = self.step_output('/ground/command', ThrustCommand)
         self._uplink = self.step_output('/ground/uplink', LinkFrame)
@@ -55,7 +53,7 @@ class CommandBlender(StepNode):
 
     def on_step(self, step: int, *inputs) -> None:
         """Blend and send."""
-        joy, auto = inputs if self._stepped else (self._newest_joy(), *inputs)
+        joy, auto = inputs if self._stepped else (self._stick.newest(), *inputs)
         pilot, pilot_valid = NEUTRAL, False
         if joy is not None:
             pilot, pilot_valid = stick_levels(joy.axes, joy.buttons, self.mission.stick)
@@ -80,16 +78,6 @@ class CommandBlender(StepNode):
             expedited=self._abort,
             payload=pack_command(sequence=step + 1, generated_ns=now, kind=kind,
                                  levels=levels.tolist())))
-
-    # -- the held stick -------------------------------------------------------------------
-
-    def _hold(self, joy: Joy) -> None:
-        self._newest = (time.monotonic(), joy)
-
-    def _newest_joy(self) -> Joy | None:
-        if self._newest is None or time.monotonic() - self._held[0] > HELD_FOR_S:
-            return None
-        return self._newest[1]
 
     # -- control --------------------------------------------------------------------------
 
