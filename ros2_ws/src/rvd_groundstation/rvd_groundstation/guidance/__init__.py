@@ -3,7 +3,8 @@ Guidance laws: what the automatic controller wants at the predicted state.
 
 `LAWS` lists them by the name a scenario gives. Each is a frozen dataclass: `mission` first,
 then its settings, `uses_stick` (does it look at the pilot's levels?) and
-`levels(prediction, stick_levels) -> levels`. Add one: one file, one line here.
+`levels(prediction, stick_levels) -> levels`. A law that must know what becomes of its levels
+has a field `sharing`, which is given to it like the mission. Add one: one file, one line here.
 """
 
 from typing import ClassVar, Protocol
@@ -12,7 +13,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rvd_dynamics.mission import Mission
+from rvd_groundstation.guidance.barrier import Barrier
 from rvd_groundstation.guidance.corridor_apf import CorridorApf
+from rvd_groundstation.guidance.damped_apf import DampedApf
 from rvd_groundstation.guidance.none import NoLaw
 
 
@@ -29,7 +32,7 @@ class Law(Protocol):
         Parameters
         ----------
         prediction : array_like, shape (..., 6)
-            States [m, m/s]; a row that is not finite gives level 0.
+            States [m, m/s]; an unknown one (NaN) gives level 0.
         stick_levels : array_like of int, shape (..., 3), or None
             The pilot's levels, for laws that use them; None when he has nothing to say.
 
@@ -39,4 +42,9 @@ class Law(Protocol):
         """
 
 
-LAWS = {'corridor_apf': CorridorApf, 'none': NoLaw}
+LAWS = {
+    'corridor_apf': CorridorApf,
+    'damped_apf': DampedApf,
+    'barrier': Barrier,
+    'none': NoLaw,
+}
