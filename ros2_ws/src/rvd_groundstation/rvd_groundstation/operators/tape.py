@@ -20,18 +20,9 @@ from math import isfinite
 from pathlib import Path
 from struct import error as struct_error
 
-from rvd_dynamics.params import param
-
 NS_PER_S = 1_000_000_000
 LATEST_S = 1e6                          # [s] stamps beyond lose digits in float seconds
 TOPIC, MESSAGE = '/joy', 'sensor_msgs/msg/Joy'
-
-
-@dataclass(frozen=True)
-class ReplayParams:
-    """Settings of the recorded pilot."""
-
-    tape: str = param('', 'Tape to play: a CSV file, a rosbag2 folder or an .mcap file.')
 
 
 @dataclass(frozen=True)
