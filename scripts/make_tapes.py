@@ -1,0 +1,51 @@
+"""
+Make the shipped tapes again: what the model pilot did in a flown scenario, and two idle hands.
+
+    ./rvd shell python scripts/make_tapes.py
+"""
+
+from pathlib import Path
+
+import numpy as np
+
+from rvd_campaign.loop import fly
+from rvd_campaign.scenario import load
+from rvd_dynamics.mission import Mission
+
+ROOT = Path(__file__).resolve().parents[1]
+END_S = 200.0                   # [s] the tapes last as long as a run may
+
+
+def main() -> None:
+    """Write tapes/*.csv."""
+    paper = load(ROOT / 'scenarios' / 'paper.yaml')
+    flight = fly(paper.loop(), [0], record=True)
+    if not flight.verdict.success[0]:
+        raise SystemExit('seed 0 no longer docks: choose another for the tape')
+    levels = flight.history.pilot[:, 0]
+    write('docking', 'The model pilot who docks in scenario paper with seed 0.', paper.mission,
+          np.arange(len(levels)) * paper.mission.step_s, levels)
+    write('hands_off', 'A pilot who holds the dead-man button and touches nothing.',
+          paper.mission, [0.0], np.zeros((1, 3)))
+    stuck = np.array([[0, 0, 0], [0, 3, 0]])
+    write('stuck_stick', 'A stick that jams at full +y after 40 s.', paper.mission,
+          [0.0, 40.0], stuck)
+
+
+def write(name: str, meaning: str, mission: Mission, t_s, levels) -> None:
+    """Write the samples at which the stick moves; the last holds to the end of the tape."""
+    stick = mission.stick
+    axes = np.zeros((len(levels), 5))
+    for index, sign, column in ((stick.axis_x, stick.sign_x, 0), (stick.axis_y, stick.sign_y, 1),
+                                (stick.axis_z, stick.sign_z, 2)):
+        axes[:, index] = sign * levels[:, column] / 3.0
+    moved = np.append(True, np.any(np.diff(axes, axis=0), axis=1))
+    rows = [(t, *row) for t, row, new in zip(t_s, axes, moved) if new] + [(END_S, *axes[-1])]
+    lines = [f'# {meaning}',
+             ','.join(['t_s'] + [f'axis_{i}' for i in range(5)] + [f'button_{i}' for i in range(5)])]
+    lines += [','.join(f'{value:.9g}' for value in row) + ',0,0,0,0,1' for row in rows]
+    (ROOT / 'tapes' / f'{name}.csv').write_text('\n'.join(lines) + '\n', encoding='utf-8')
+
+
+if __name__ == '__main__':
+    main()
