@@ -57,7 +57,7 @@ def _figure(height_in: float, top: float = 0.32, **spaces: float) -> Figure:
 
 
 def approach(run: Recording) -> Figure:
-    """Draw the track in x-y and x-z with corridor and control boundary, and the end from behind."""
+    """Draw the track in x-y and x-z with corridor and boundary, and the end from behind."""
     figure = _figure(5.4, top=0.58, hspace=0.24, wspace=0.20)
     grid = figure.add_gridspec(2, 2, width_ratios=[2.5, 1.0])
     sides = figure.add_subplot(grid[0, 0]), figure.add_subplot(grid[1, 0])

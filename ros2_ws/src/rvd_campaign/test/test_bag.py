@@ -146,7 +146,8 @@ def test_run_folder_bag_folder_and_file_are_the_same_bag(run):
     assert files_of(run) == files_of(run / 'bag') == files_of(run / 'bag/bag_0.mcap')
 
 
-@pytest.mark.parametrize('text', ['', 'not: [yaml', '/**: 3', '/**: {ros__parameters: {step_s: 9}}'])
+@pytest.mark.parametrize('text', [
+    '', 'not: [yaml', '/**: 3', '/**: {ros__parameters: {step_s: 9}}'])
 def test_a_scenario_that_cannot_be_read_gives_the_defaults(text):
     assert mission_of(text).step_s == 0.5
 

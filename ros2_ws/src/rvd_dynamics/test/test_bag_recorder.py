@@ -120,7 +120,8 @@ def same(a: list[bytes], b: list[bytes], kind: type) -> bool:
 
 NODES = '[bag_recorder, spacecraft_dynamics, relative_sensor, operator_model]'
 KINDS = {'/truth/relative_state': RelativeState, '/onboard/downlink': LinkFrame, '/joy': Joy,
-         '/clock': Clock, '/onboard/measurement': RelativeState, '/run/scenario': String, '/run/events': RunEvent, '/run/end': UInt64}
+         '/clock': Clock, '/onboard/measurement': RelativeState, '/run/scenario': String,
+         '/run/events': RunEvent, '/run/end': UInt64}
 
 
 @pytest.fixture

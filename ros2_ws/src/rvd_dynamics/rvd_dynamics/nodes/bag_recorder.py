@@ -122,6 +122,8 @@ class BagRecorder(WatchNode):
                     self._report()
             except Exception as error:          # noqa: B902 - handed on through `done`
                 self.finish(error)
+            if topic == TRUTH:
+                self.rest(info)
         return store
 
     def _store(self, topic: str, data: bytes, log_ns: int, info: dict, stepped: bool) -> None:
@@ -140,6 +142,10 @@ class BagRecorder(WatchNode):
         self._early = None
         for message in messages:
             self._bag.write(*message)
+
+    def on_ready(self) -> None:
+        """Take viewers' topics in from the beginning."""
+        self._look_for_topics()
 
     def _look_for_topics(self) -> None:
         """Record topics that are not in the graph's table, viewers' topics for instance."""

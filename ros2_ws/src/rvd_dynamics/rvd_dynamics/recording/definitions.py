@@ -56,8 +56,8 @@ def schema_text(kind: str) -> str:
             texts[needed] = _source(needed, '.msg')
             pending += _needs(needed, texts[needed])
     root = texts.pop(kind)
-    return root + ''.join(
-        f'\n{SEPARATOR}\nMSG: {name.replace("/msg/", "/")}\n{text}' for name, text in texts.items())
+    return root + ''.join(f'\n{SEPARATOR}\nMSG: {name.replace("/msg/", "/")}\n{text}'
+                          for name, text in texts.items())
 
 
 @lru_cache(maxsize=None)

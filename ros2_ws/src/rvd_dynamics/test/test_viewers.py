@@ -1,0 +1,170 @@
+"""Markers, and the RViz and Foxglove files that show them."""
+
+import json
+import os
+from pathlib import Path
+import re
+import subprocess
+import sys
+import time
+
+import numpy as np
+import pytest
+import rclpy
+from rclpy.executors import SingleThreadedExecutor
+from rclpy.serialization import serialize_message
+import yaml
+
+from rvd_dynamics.mission import Mission
+from rvd_dynamics.nodes import markers
+from rvd_dynamics.ros import graph, qos
+from rvd_dynamics.ros.conversions import state_to_msg
+from rvd_interfaces.msg import RelativeState
+from visualization_msgs.msg import Marker, MarkerArray
+
+CONFIG = Path(__file__).resolve().parents[4] / 'config'
+TOPICS = {**graph.TOPICS,
+          **{t: f'{k.__module__.split(".")[0]}/msg/{k.__name__}' for t, k in markers.TOPICS.items()}}
+MARKERS = [sys.executable, '-c', 'from rvd_dynamics.nodes.markers import main; main()']
+
+
+def inside(value, wanted):
+    """Yield every dict inside nested data that `wanted` accepts."""
+    if isinstance(value, dict):
+        if wanted(value):
+            yield value
+        for inner in value.values():
+            yield from inside(inner, wanted)
+    elif isinstance(value, list):
+        for inner in value:
+            yield from inside(inner, wanted)
+
+
+# -- configuration files ------------------------------------------------------------------------
+
+def test_rviz_shows_topics_that_are_published_with_their_types_and_qualities():
+    config = yaml.safe_load((CONFIG / 'rvd.rviz').read_text())
+    displays = [d for d in config['Visualization Manager']['Displays'] if 'Topic' in d]
+    assert {d['Topic']['Value'] for d in displays} == set(markers.TOPICS)
+    for display in displays:
+        topic = display['Topic']
+        assert display['Class'].split('/')[1] == TOPICS[topic['Value']].split('/')[-1]
+        latched = topic['Durability Policy'] == 'Transient Local'
+        assert latched == (topic['Value'] in ('/viz/corridor', '/viz/control_boundary'))
+    assert config['Visualization Manager']['Global Options']['Fixed Frame'] == Mission().frame_id
+
+
+def field_type(kind: str, path: str) -> str:
+    """Return the type of a field path such as `position.x`; KeyError if there is none."""
+    for part in path.split('.'):
+        name, index = re.fullmatch(r'(\w+)((?:\[\d+\])?)', part).groups()
+        package, _, short = kind.split('/')
+        module = __import__(f'{package}.msg', fromlist=[short])
+        found = getattr(module, short).get_fields_and_field_types()[name]
+        kind = re.sub(r'\[\d*\]$', '', found) if index else found
+        kind = kind.replace('/', '/msg/') if '/' in kind else kind
+    return kind
+
+
+def test_foxglove_shows_topics_and_fields_that_are_published():
+    layout = json.loads((CONFIG / 'foxglove_layout.json').read_text())
+    named = [p['value'] for p in inside(layout, lambda d: str(d.get('value', '')).startswith('/'))]
+    assert len(named) > 10
+    for path in named:
+        topic, _, field = path.partition('.')
+        assert field_type(TOPICS[topic], field) in (
+            'double', 'int8', 'uint8', 'uint64'), path
+    shown = {t for d in inside(layout, lambda d: 'topics' in d) for t in d['topics']}
+    shown |= {d['topicPath'] for d in inside(layout, lambda d: 'topicPath' in d)}
+    assert shown <= set(TOPICS)
+    panels = set(re.findall(r'"(?:first|second)": "([^"]+)"', json.dumps(layout['layout'])))
+    assert panels == set(layout['configById'])
+
+
+# -- what is drawn -----------------------------------------------------------------------------
+
+def state(covariance=None) -> RelativeState:
+    return state_to_msg(3, 1_500_000_000, 'target_lvlh', RelativeState.SOURCE_PREDICTION,
+                        np.array([-20.0, 0.5, -0.25, 0.25, 0.01, 0.0]), covariance=covariance)
+
+
+def test_body_stands_where_the_message_says_with_its_ellipsoid():
+    drawn = {m.ns: m for m in markers.body(
+        state(np.diag([0.04, 0.01, 0.09, 1, 1, 1])), 'ghost', (0, 0, 1), 2.0).markers}
+    box, sphere = drawn['ghost'], drawn['ghost uncertainty']
+    assert (box.pose.position.x, box.pose.position.y, box.pose.position.z) == (-20.0, 0.5, -0.25)
+    assert sorted([sphere.scale.x, sphere.scale.y, sphere.scale.z]) == pytest.approx(
+        [0.4, 0.8, 1.2])                        # diameters of 2 sigma
+    arrow = drawn['ghost velocity, 10 s']
+    assert arrow.points[1].x - arrow.points[0].x == pytest.approx(2.5)
+
+
+def test_without_a_covariance_there_is_no_ellipsoid():
+    assert len(markers.body(state(), 'ghost', (0, 0, 1), 2.0).markers) == 2
+
+
+def test_every_marker_of_a_topic_has_its_own_name_and_can_be_seen():
+    still = markers.still_scene(Mission(), 0.25)
+    for array in (*still.values(), markers.body(state(np.eye(6)), 'ghost', (0, 0, 1), 2.0)):
+        names = [(m.ns, m.id) for m in array.markers]
+        assert len(names) == len(set(names))
+        for marker in array.markers:
+            assert marker.header.frame_id == 'target_lvlh' and marker.color.a > 0.0
+            assert marker.action == Marker.ADD and marker.scale.x > 0.0
+
+
+# -- the process ---------------------------------------------------------------------------------
+
+def test_markers_follow_a_run_and_end_with_it(monkeypatch):
+    monkeypatch.setenv('ROS_DOMAIN_ID', str(20 + os.getpid() % 80))
+    context = rclpy.Context()
+    rclpy.init(context=context)
+    node = rclpy.create_node('loop', context=context)
+    executor = SingleThreadedExecutor(context=context)
+    executor.add_node(node)
+    seen: dict[str, list] = {}
+    for topic, kind in markers.TOPICS.items():
+        profile = qos.LATCHED if topic in ('/viz/corridor', '/viz/control_boundary') else qos.VIEW
+        node.create_subscription(
+            kind, topic, lambda m, t=topic: seen.setdefault(t, []).append(m), profile)
+    from std_msgs.msg import UInt64
+    feeds = {t: node.create_publisher(RelativeState, t, qos.of(t)) for t in markers.SOURCES}
+    end = node.create_publisher(UInt64, '/run/end', qos.of('/run/end'))
+    process = subprocess.Popen([*MARKERS, '--ros-args', '-p', 'nodes:=[markers]'],
+                               env={**os.environ, 'RVD_LEAN': '1'}, stderr=subprocess.PIPE)
+    try:
+        limit = time.monotonic() + 20
+        while not all(f.get_subscription_count() for f in (*feeds.values(), end)):
+            assert time.monotonic() < limit
+            executor.spin_once(timeout_sec=0.05)
+        begin = time.monotonic()
+        for k in range(300):                    # 2 s at 150 steps a second
+            for feed in feeds.values():
+                message = state(np.eye(6))
+                message.step = k
+                feed.publish(message)
+            executor.spin_once(timeout_sec=0.0)
+            time.sleep(max(0.0, begin + k / 150 - time.monotonic()))
+        end.publish(UInt64(data=299))
+        while process.poll() is None:
+            assert time.monotonic() < limit + 20
+            executor.spin_once(timeout_sec=0.05)
+        assert process.returncode == 0, process.stderr.read()
+    finally:
+        process.kill() if process.poll() is None else None
+        node.destroy_node()
+        rclpy.try_shutdown(context=context)
+    assert set(seen) == set(markers.TOPICS) - {'/viz/truth', '/viz/trail/truth'}
+    took = time.monotonic() - begin
+    assert 3 <= len(seen['/viz/ghost']) <= 10 * took + 2        # at most ten a second
+    assert len(seen['/viz/corridor']) == 1 and isinstance(seen['/viz/corridor'][0], MarkerArray)
+    assert len(seen['/viz/trail/estimate'][-1].poses) <= 200
+
+
+def test_a_picture_is_cheap():
+    message = serialize_message(state(np.eye(6)))
+    begin = time.process_time()
+    for _ in range(20):
+        from rclpy.serialization import deserialize_message
+        markers.body(deserialize_message(message, RelativeState), 'ghost', (0, 0, 1), 2.0)
+    assert (time.process_time() - begin) / 20 < 5e-3
