@@ -62,12 +62,18 @@ class Judge:
         self._reason = np.full(n, UNDER_WAY)
         self._end_time = np.full(n, np.nan)
         self._x_rate, self._offset, self._lateral_rate = np.full((3, n), np.nan)
+        self._terminal = np.full((6, n), np.nan)
         self._delta_v = np.zeros(n)
 
     @property
     def ended(self) -> NDArray[np.bool_]:
         """Whether each run has ended, shape of the batch."""
         return ~self._live.reshape(self._batch)
+
+    @property
+    def terminal(self) -> NDArray[np.float64]:
+        """State (..., 6) at the docking plane; NaN in runs that have not reached it."""
+        return self._terminal.T.reshape(*self._batch, 6).copy()
 
     def start(self, state: ArrayLike) -> None:
         """Take the state (..., 6) of step 0; one that is not before the plane is invalid."""
@@ -141,8 +147,9 @@ class Judge:
         rows = np.flatnonzero(docked)
         limits = self._mission.docking
         part, s = points[:, :, rows], flown[rows]
-        _, y, z = arc.position(part, s)
+        x, y, z = arc.position(part, s)
         vx, vy, vz = arc.velocity(part, s, self._mission.step_s)
+        self._terminal[:, rows] = x, y, z, vx, vy, vz
         offset, lateral_rate = np.sqrt(y*y + z*z), np.sqrt(vy*vy + vz*vz)
         reason = np.full(rows.size, DOCKED)
         reason[~(lateral_rate < limits.max_lateral_rate_m_s)] = LATERAL_RATE
