@@ -8,11 +8,7 @@ Bad input is one line on stderr and exit code 2.
 import argparse
 import sys
 
-EXIT_DONE, EXIT_FAILED, EXIT_CANNOT, EXIT_INTERRUPTED = 0, 1, 2, 130
-
-
-class CannotRun(Exception):
-    """The command cannot do what was asked; the text is the one line that says why."""
+from rvd_campaign.exits import CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_INTERRUPTED
 
 
 class Parser(argparse.ArgumentParser):

@@ -10,8 +10,9 @@ import time
 from pathlib import Path
 
 from rvd_campaign import catalogue, verdict
-from rvd_campaign.cli import (CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_FAILED, EXIT_INTERRUPTED)
 from rvd_campaign.domain import reserved_domain
+from rvd_campaign.exits import (
+    CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_FAILED, EXIT_INTERRUPTED)
 from rvd_campaign.scenario import load, Scenario
 from rvd_campaign.supervisor import Supervisor
 
