@@ -1,0 +1,278 @@
+"""
+The closed loop in one process: what the node graph computes, on arrays of N runs.
+
+Step    truth k -> measurement k -> back link (releases sample k - nb) -> predictor (and the
+        command of step k - 1) -> pilot -> law -> blender (command k) -> forward link
+        (releases command k - nf) -> guard -> thrusters, which act on [k, k + 1).
+State   (x, y, z, vx, vy, vz) [m, m/s] on the last axis, target orbital frame; one row per run.
+End     the first step with x >= 0 or at the time limit, each row for itself; a row that has
+        ended is carried along and no longer counts.
+
+It calls the functions that the nodes call, in their order, so a row is equal to the bit to
+the same run over DDS, alone or in any batch. Two things are short here because they are
+settled before the run: a play-out buffer turns transits into a constant delay plus erasures
+(`LinkPlan.intact_in_time`), and the guard has nothing to refuse but frames that it does not get.
+"""
+
+from collections import deque
+from collections.abc import Sequence
+from dataclasses import dataclass, field, fields
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rvd_dynamics import streams
+from rvd_dynamics.judge import Judge, Verdict
+from rvd_dynamics.link.models import LinkParams
+from rvd_dynamics.link.plan import draw_plan
+from rvd_dynamics.mission import Mission
+from rvd_dynamics.orbit.models import TRUTH_MODELS
+from rvd_dynamics.spacecraft.levels import stick_levels
+from rvd_dynamics.spacecraft.thrusters import execute
+from rvd_dynamics.world import DynamicsParams, SensorParams
+from rvd_groundstation.guidance import Law
+from rvd_groundstation.operators.pilot import Pilot, PilotParams
+from rvd_groundstation.operators.tape import Tape
+from rvd_groundstation.prediction.predictor import Prediction, Predictor, PredictorParams
+from rvd_groundstation.sharing import decide, Decision, Eq25
+from rvd_groundstation.sharing.decision import Sharing
+
+Array = NDArray[np.float64]
+Levels = NDArray[np.int8]
+STEPPED = ('model', 'replay', 'none')   # operators that need no wall clock
+
+
+@dataclass(frozen=True)
+class LoopSettings:
+    """Everything that a flight depends on besides the run number."""
+
+    mission: Mission
+    law: Law
+    dynamics: DynamicsParams = field(default_factory=DynamicsParams)
+    sensor: SensorParams = field(default_factory=SensorParams)
+    link_forward: LinkParams = field(default_factory=LinkParams)
+    link_back: LinkParams = field(default_factory=LinkParams)
+    predictor: PredictorParams = field(default_factory=PredictorParams)
+    sharing: Sharing = field(default_factory=Eq25)
+    pilot: PilotParams = field(default_factory=PilotParams)
+    tape: Tape | None = None            # of operator `replay`
+
+    def __post_init__(self) -> None:
+        operator = self.mission.operator
+        if operator not in STEPPED:
+            raise ValueError(f'operator must be one of {", ".join(STEPPED)} in a loop without '
+                             f'wall clock, got {operator}')
+        if operator == 'replay' and self.tape is None:
+            raise ValueError('operator replay needs a tape')
+
+
+@dataclass(frozen=True)
+class History:
+    """What happened, by step and run; NaN and 0 after the end of a run."""
+
+    truth: Array                        # (steps, N, 6) state at the step
+    acceleration: Array                 # (steps, N, 3) executed over the step that ends there
+    measured: Array                     # (steps, N, 6) what the sensor said on board
+    received: NDArray[np.bool_]         # (steps, N)    a sample came down in this step
+    estimate: Array                     # (steps, N, 6) of the instant k - back_steps
+    predicted: Array                    # (steps, N, 6) for the instant k + forward_steps
+    pilot: Levels                       # (steps, N, 3)
+    auto: Levels                        # (steps, N, 3)
+    command: Levels                     # (steps, N, 3) as sent
+    decided_by: NDArray[np.uint8]       # (steps, N)
+    executed: Levels                    # (steps, N, 3) what acts from this step to the next
+
+
+@dataclass(frozen=True)
+class Flight:
+    """N flown runs."""
+
+    runs: NDArray[np.int64]             # (N,) numbers of the runs
+    end_step: NDArray[np.int64]         # (N,) step of the last truth
+    verdict: Verdict                    # fields (N,)
+    terminal: Array                     # (N, 6) state at the docking plane; NaN: not reached
+    decided_steps: NDArray[np.int64]    # (N, 4) steps by nobody, pilot, auto, blend (codes.BY_*)
+    changed_steps: NDArray[np.int64]    # (N,) steps whose command was not the pilot's
+    history: History | None             # when it was asked for
+
+
+class _Draws(NamedTuple):
+    """Every draw of N runs; row k of the blocks belongs to step k."""
+
+    start: Array                        # (N, 6)
+    measurement: Array                  # (N, steps, 6)
+    execution: Array                    # (N, steps, 3)
+    back_intact: NDArray[np.bool_]      # (N, steps) sample sent at k comes down in time
+    forward_intact: NDArray[np.bool_]   # (N, steps) command sent at k goes up in time
+
+
+def fly(settings: LoopSettings, runs: Sequence[int], record: bool = False) -> Flight:
+    """
+    Fly runs to their end.
+
+    Parameters
+    ----------
+    settings : LoopSettings
+        The seed is the mission's; its run number is not used.
+    runs : sequence of int
+        Numbers of the runs; each is the same whichever others fly with it.
+    record : bool
+        Keep the history (1.5 kB per step and four runs; leave it out of campaigns).
+
+    Returns
+    -------
+    Flight
+    """
+    loop = _Loop(settings, runs)
+    steps: list[dict] = []
+    for step in range(settings.mission.last_step + 1):
+        row = loop.advance(step)
+        if record:
+            steps.append(row)
+        if loop.ended.all():
+            break
+    history = _history(steps, loop.end_step) if record else None
+    return Flight(np.asarray(runs, dtype=np.int64), loop.end_step, loop.judge.verdict(),
+                  loop.judge.terminal, loop.decided_steps, loop.changed_steps, history)
+
+
+class _Loop:
+    """The parts of the graph and what is on its way between them."""
+
+    def __init__(self, s: LoopSettings, runs: Sequence[int]) -> None:
+        mission, n = s.mission, len(runs)
+        self._settings, self._batch = s, (n,)
+        self._draws = _draw(s, runs)
+        self._truth_model = TRUTH_MODELS[s.dynamics.truth_model](mission)
+        self._state = s.dynamics.start(mission, self._draws.start)
+        self._acceleration = np.full((n, 3), np.nan)
+        self._predictor = Predictor(s.predictor, mission, (n,), track=False)
+        self._pilot = _pilot(s, runs)
+        self.judge = Judge(mission, (n,))
+        self.ended = np.zeros(n, dtype=bool)
+        self.end_step = np.full(n, -1, dtype=np.int64)
+        self.decided_steps = np.zeros((n, 4), dtype=np.int64)
+        self.changed_steps = np.zeros(n, dtype=np.int64)
+        # on its way down and up: [0] is released in this step, [-1] has just been sent
+        self._down: deque[Array] = deque(maxlen=mission.back_steps + 1)
+        self._up: deque[Levels] = deque(maxlen=mission.forward_steps + 1)
+        self._command: Levels | None = None
+        self._executed: Levels | None = None
+
+    def advance(self, step: int) -> dict:
+        """Do everything that the graph does in one step; return it by the names of History."""
+        self._move(step)
+        measured = self._settings.sensor.selected.measure(
+            self._state, self._draws.measurement[:, step])
+        sample, received = self._receive(step, measured)
+        prediction = self._predictor.advance(step, sample, received, self._command)
+        pilot, pilot_valid = self._stick(step, prediction)
+        auto = self._settings.law.levels(prediction.predicted, pilot if pilot_valid else None)
+        decision = self._decide(pilot, pilot_valid, auto, prediction.valid)
+        self._tally(decision, pilot)
+        self._command = decision.levels
+        self._executed = self._transmit(step, decision.levels)
+        return {'truth': self._state, 'acceleration': self._acceleration, 'measured': measured,
+                'received': received, 'estimate': prediction.estimate,
+                'predicted': prediction.predicted, 'pilot': pilot, 'auto': auto,
+                'command': decision.levels, 'decided_by': decision.decided_by,
+                'executed': self._executed}
+
+    def _move(self, step: int) -> None:
+        """Take the truth to this step, judge it, and note which runs end here."""
+        s = self._settings
+        if step == 0:
+            self.judge.start(self._state)
+        else:
+            self._acceleration = execute(
+                self._executed, s.mission.thrust, self._draws.execution[:, step - 1],
+                s.dynamics.execution_noise_fraction)
+            self._state = self._truth_model.advance(self._state, self._acceleration)
+            self.judge.advance(step, self._state, self._acceleration)
+        x = self._state[:, 0]
+        over = (x >= 0.0) | (step >= s.mission.last_step)
+        if not np.isfinite(x).all():
+            over |= ~np.isfinite(self._state).all(axis=-1)
+        self.end_step[over & ~self.ended] = step
+        self.ended |= over
+
+    def _receive(self, step: int, measured: Array) -> tuple[Array | None, NDArray[np.bool_]]:
+        """Send a sample down; return the one that the back link releases."""
+        self._down.append(measured)
+        sent = step - self._settings.mission.back_steps
+        if sent < 0:
+            return None, np.zeros(self._batch, dtype=bool)
+        return self._down[0], self._draws.back_intact[:, sent]
+
+    def _transmit(self, step: int, levels: Levels) -> Levels:
+        """Send a command up; return what the guard makes of the one that is released."""
+        self._up.append(levels)
+        sent = step - self._settings.mission.forward_steps
+        if sent < 0:
+            return np.zeros_like(levels)
+        return np.where(self._draws.forward_intact[:, sent, None], self._up[0], np.int8(0))
+
+    def _stick(self, step: int, prediction: Prediction) -> tuple[Levels, bool]:
+        s = self._settings
+        if s.mission.operator == 'model':
+            return self._pilot.advance(step, prediction.estimate, prediction.predicted,
+                                       prediction.valid), True
+        levels, valid = np.zeros(3, dtype=np.int8), False
+        if s.mission.operator == 'replay':
+            levels, valid = stick_levels(*s.tape.at(step * s.mission.step_ns), s.mission.stick)
+        return np.tile(levels, (*self._batch, 1)), valid
+
+    def _tally(self, decision: Decision, pilot: Levels) -> None:
+        """Count who decided, in the runs under way."""
+        live = ~self.ended
+        self.decided_steps[np.arange(live.size), decision.decided_by] += live
+        differs = decision.levels != pilot
+        self.changed_steps += live & (differs[:, 0] | differs[:, 1] | differs[:, 2])
+
+    def _decide(self, pilot: Levels, pilot_valid: bool, auto: Levels,
+                auto_valid: NDArray[np.bool_]) -> Decision:
+        s = self._settings
+        return decide(s.mission.mode, s.sharing, pilot, np.full(self._batch, pilot_valid),
+                      auto, auto_valid)
+
+
+def _draw(s: LoopSettings, runs: Sequence[int]) -> _Draws:
+    """Draw what the world and the links will do in each run."""
+    mission, steps = s.mission, s.mission.last_step + 1
+    seed = mission.seed
+
+    def intact(params: LinkParams, purpose: str, hold_steps: int) -> NDArray[np.bool_]:
+        return np.stack([
+            draw_plan(params, streams.generator(seed, run, purpose), steps, mission.step_ns,
+                      hold_steps).intact_in_time for run in runs])
+
+    return _Draws(
+        streams.stack(streams.start_normals(seed, run) for run in runs),
+        streams.stack(streams.measurement_normals(seed, run, steps) for run in runs),
+        streams.stack(streams.execution_normals(seed, run, steps) for run in runs),
+        intact(s.link_back, 'link_back', mission.back_steps),
+        intact(s.link_forward, 'link_forward', mission.forward_steps))
+
+
+def _pilot(s: LoopSettings, runs: Sequence[int]) -> Pilot | None:
+    """Return the pilots of the runs, where a model flies."""
+    mission = s.mission
+    if mission.operator != 'model':
+        return None
+    draws = streams.stack(streams.pilot_draws(mission.seed, run, mission.last_step + 1)
+                          for run in runs)
+    skill = [streams.skill_normal(mission.seed, s.pilot.operator_of(run)) for run in runs]
+    return Pilot(s.pilot, mission, draws, np.array(skill), (len(runs),))
+
+
+def _history(steps: list[dict], end_step: NDArray[np.int64]) -> History:
+    """Stack the steps and blank what lies after the end of each run."""
+    after = np.arange(len(steps))[:, None] > end_step
+    stacked = {}
+    for f in fields(History):
+        values = np.stack([np.broadcast_to(row[f.name], np.shape(steps[-1][f.name]))
+                           for row in steps])
+        values[after] = np.nan if values.dtype.kind == 'f' else 0
+        stacked[f.name] = values
+    return History(**stacked)
