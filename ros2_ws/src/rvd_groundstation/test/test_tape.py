@@ -77,6 +77,15 @@ def test_first_stamp_is_time_zero_and_the_last_is_the_end(tmp_path):
         assert (tape.stamps_ns[0], tape.end_ns) == (0, 1_750_000_000)
 
 
+def test_axes_of_both_kinds_are_what_a_message_would_carry(tmp_path):
+    """Otherwise a flight over DDS and one in process could part at a threshold."""
+    rows = 't_s,axis_0,axis_1\n0,0.3333333333333333,1.00000000001\n'
+    tape = read_tape(csv_tape(tmp_path, rows))
+    assert tape.axes == ((0.3333333432674408, 1.0),)
+    with pytest.raises(ValueError, match='axis_0 must be finite'):
+        read_tape(csv_tape(tmp_path, 't_s,axis_0\n0,1e300\n'))
+
+
 @pytest.mark.parametrize('button', [4, -1])
 def test_ended_tape_is_no_valid_stick_with_any_map(tmp_path, button):
     tape = read_tape(csv_tape(tmp_path, CSV))

@@ -2,7 +2,7 @@
 Tapes: recorded sticks, played in simulation time.
 
 CSV     header `t_s,axis_0,axis_1,...,button_0,...`, one row per sample; lines that begin with
-        `#` are comments.
+        `#` are comments. Axes are rounded to float32, in which a Joy carries them.
 bag     a rosbag2 folder with MCAP files, or one .mcap file, with `/joy` (sensor_msgs/Joy);
         the stamps of its headers count, not the log times.
 Time    0 is the first stamp. A sample holds until the next; the last stamp is the end of the
@@ -13,6 +13,7 @@ A tape that is not what it should be is refused as a whole, with file and line. 
 was cut off while it was recorded is played as far as it goes.
 """
 
+from array import array
 from bisect import bisect_right
 import csv
 from dataclasses import dataclass
@@ -123,7 +124,7 @@ def _read_csv(path: Path) -> Tape:
                 raise ValueError(f'{where}: t_s must be within {LATEST_S:g}, got {row[0]}')
             samples.add(
                 where, round(time_s * NS_PER_S),
-                tuple(_number(text, name, where)
+                tuple(array('f', [_number(text, name, where)])[0]       # as a Joy carries it
                       for name, text in zip(header[1:axes + 1], row[1:axes + 1])),
                 tuple(_button(text, name, where)
                       for name, text in zip(header[axes + 1:], row[axes + 1:])))
