@@ -158,40 +158,22 @@ def load(path: Path) -> Scenario:
     ScenarioError
         With one line that names the file and what is wrong in it.
     """
-    try:
-        if path.stat().st_size > MAX_BYTES:
-            raise ScenarioError(f'{path} is larger than {MAX_BYTES >> 20} MiB')
-        text = path.read_text(encoding='utf-8')
-    except OSError as error:
-        raise ScenarioError(f'cannot read scenario {path}: {error.strerror}') from None
-    except UnicodeDecodeError:
-        raise ScenarioError(f'{path} is not a text file') from None
-    return parse(text, path.stem)
+    return parse(text_of(path, 'scenario'), path.stem)
 
 
 def parse(text: str, name: str) -> Scenario:
     """Check the text of a scenario; errors as `load`."""
-    try:
-        tree = yaml.load(text, Loader=_Loader)  # noqa: S506 - a SafeLoader
-    except ScenarioError as error:
-        raise ScenarioError(f'scenario {name}: {error}') from None
-    except RecursionError:
-        raise ScenarioError(f'scenario {name}: nested deeper than {MAX_DEPTH}') from None
-    except (yaml.YAMLError, ValueError) as error:
-        line = ' '.join(str(error).split())
-        raise ScenarioError(f'scenario {name} is not valid YAML: {line}') from None
-    if not isinstance(tree, dict):
-        raise ScenarioError(f'scenario {name} is empty or not a mapping of nodes')
+    tree = mapping_of(text, f'scenario {name}')
     sections = {}
     for section, body in tree.items():
         if section not in SETTINGS:
             raise ScenarioError(f'scenario {name}: no node {section!r}'
-                                + _nearest(str(section), SETTINGS))
+                                + nearest(str(section), SETTINGS))
         parameters = body.get('ros__parameters') if isinstance(body, dict) else None
         if not isinstance(parameters, dict) or len(body) != 1:
             raise ScenarioError(f'scenario {name}: {section} must hold ros__parameters: '
                                 'and nothing else')
-        flat = _flat(parameters, name)
+        flat = flat_keys(parameters, f'scenario {name}')
         check_keys(name, section, flat)
         sections[section] = flat
     return Scenario(name, sections)
@@ -208,23 +190,53 @@ def check_keys(name: str, section: str, flat: dict[str, Any]) -> None:
             raise ScenarioError(f'scenario {name}: {section}: {key} is shared by all nodes and '
                                 f'stands under {SHARED} only')
         raise ScenarioError(f'scenario {name}: {section}: unknown key {key}'
-                            + _nearest(key, known))
+                            + nearest(key, known))
 
 
-def _nearest(word: str, known: Any) -> str:
+def text_of(path: Path, what: str) -> str:
+    """Return a file that people write, or refuse it in one line."""
+    try:
+        if path.stat().st_size > MAX_BYTES:
+            raise ScenarioError(f'{path} is larger than {MAX_BYTES >> 20} MiB')
+        return path.read_text(encoding='utf-8')
+    except OSError as error:
+        raise ScenarioError(f'cannot read {what} {path}: {error.strerror}') from None
+    except UnicodeDecodeError:
+        raise ScenarioError(f'{path} is not a text file') from None
+
+
+def mapping_of(text: str, what: str) -> dict:
+    """Return the mapping that a YAML text holds, or refuse it in one line."""
+    try:
+        tree = yaml.load(text, Loader=_Loader)  # noqa: S506 - a SafeLoader
+    except ScenarioError as error:
+        raise ScenarioError(f'{what}: {error}') from None
+    except RecursionError:
+        raise ScenarioError(f'{what}: nested deeper than {MAX_DEPTH}') from None
+    except (yaml.YAMLError, ValueError) as error:
+        line = ' '.join(str(error).split())
+        raise ScenarioError(f'{what} is not valid YAML: {line}') from None
+    if not isinstance(tree, dict):
+        raise ScenarioError(f'{what} is empty or not a mapping')
+    return tree
+
+
+def nearest(word: str, known: Any) -> str:
+    """Return the end of a refusal: the nearest known word, or all of them."""
     close = difflib.get_close_matches(word, list(known), n=1, cutoff=0.5)
     return f'; did you mean {close[0]}?' if close else f'; known: {", ".join(known)}'
 
 
-def _flat(tree: dict, name: str, prefix: str = '', depth: int = 0) -> dict[str, Any]:
+def flat_keys(tree: dict, what: str, prefix: str = '', depth: int = 0) -> dict[str, Any]:
+    """Return nested keys as dotted ones."""
     if depth > MAX_DEPTH:
-        raise ScenarioError(f'scenario {name}: nested deeper than {MAX_DEPTH}')
+        raise ScenarioError(f'{what}: nested deeper than {MAX_DEPTH}')
     flat = {}
     for key, value in tree.items():
         if not isinstance(key, str):
-            raise ScenarioError(f'scenario {name}: key {prefix}{key} is not text')
+            raise ScenarioError(f'{what}: key {prefix}{key} is not text')
         if isinstance(value, dict):
-            flat.update(_flat(value, name, f'{prefix}{key}.', depth + 1))
+            flat.update(flat_keys(value, what, f'{prefix}{key}.', depth + 1))
         else:
             flat[prefix + key] = value
     return flat
