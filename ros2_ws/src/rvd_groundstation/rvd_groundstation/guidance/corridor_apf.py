@@ -51,6 +51,7 @@ class CorridorApf:
     least_distance_m: float = param(0.02, 'Distance to the wall is never taken smaller [m].')
     band_m: float = param(0.0, 'Depth of a fixed band at the wall [m], l0 of eq. 9; 0: none.')
     damping_per_s: float = param(0.0, 'Also brakes motion towards the wall [1/s]; not in paper.')
+    damp_return: bool = param(False, 'Whether it brakes motion away from the wall, too.')
     closing_rate_m_s: float = param(0.25, 'Closing rate of the control boundary [m/s].')
     gradient: str = param('descent', 'descent; for study printed_ascent, eq. 10 as printed.')
     tangential: str = param('dropped', 'Middle term of eq. 11: dropped; for study frozen_q, '
@@ -115,7 +116,8 @@ class CorridorApf:
         closing = (velocity[..., 0]*e[..., 0] + velocity[..., 1]*e[..., 1]
                    + velocity[..., 2]*e[..., 2])
         push = self.lambda_1_m3_s2/(d*d) + self.lambda_2_m_s2
-        push = push + self.damping_per_s*np.maximum(closing, 0.0)
+        braked = closing if self.damp_return else np.maximum(closing, 0.0)
+        push = push + self.damping_per_s*braked
         force = -(push[..., None]*e)
         if self.tangential == 'frozen_q':
             force -= self.lambda_2_m_s2*(closing[..., None]*e - velocity) / d[..., None]
