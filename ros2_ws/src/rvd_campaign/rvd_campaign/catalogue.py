@@ -49,15 +49,15 @@ def entries(what: str) -> Iterator[tuple[str, str]]:
     if what == 'laws':
         from rvd_groundstation.guidance import LAWS
         for name, law in LAWS.items():
-            yield name, _first_sentence(law.__doc__)
+            yield name, _first_paragraph(law.__doc__)
         return
     for path in sorted((root() / what).iterdir()):
         if path.suffix in ('.yaml', '.csv') or (path / 'metadata.yaml').exists():
             yield path.stem, _first_comment(path)
 
 
-def _first_sentence(doc: str | None) -> str:
-    return ' '.join((doc or '').split()).split('. ')[0].rstrip('.')
+def _first_paragraph(doc: str | None) -> str:
+    return ' '.join((doc or '').strip().split('\n\n')[0].split()).rstrip('.')
 
 
 def _first_comment(path: Path) -> str:

@@ -4,6 +4,7 @@
 
 import argparse
 import re
+import shutil
 import signal
 import sys
 import time
@@ -185,12 +186,16 @@ class Flight:
         self._watch.events.clear()
         if self._headless:
             return
+        line = self._watch.line()
+        if not self._watch.steps:
+            line = f'starting: {len(self._watch.ready)} of {len(self._supervisor.pids)} nodes ready'
         if sys.stdout.isatty():
-            print(f'\r\x1b[K{self._watch.line()}', end='', flush=True)
+            width = shutil.get_terminal_size().columns - 1      # a longer line would wrap
+            print(f'\r\x1b[K{line[:width]}', end='', flush=True)
             self._on_line = True
         elif time.monotonic() - self._shown_at > 1.0:
             self._shown_at = time.monotonic()
-            print(self._watch.line(), flush=True)
+            print(line, flush=True)
 
     def _end_line(self) -> None:
         if self._on_line:

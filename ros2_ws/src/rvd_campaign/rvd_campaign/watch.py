@@ -94,16 +94,16 @@ class FlightWatch:
         truth, command = self.newest('/truth/relative_state'), self.newest('/ground/command')
         back, verdict = self.newest('/link/back/status'), self.verdict
         if truth is None:
-            return 'waiting for the graph'
+            return ''
         p, v = truth.position, truth.velocity
         margin = verdict.min_corridor_margin if verdict is not None else float('nan')
         delay = back.delay_p50 if back is not None else float('nan')
         loop = self._mission.forward_delay_s + self._mission.back_delay_s
         return (f't {truth.step * self._mission.step_s:6.1f} s  '
                 f'range {(p.x * p.x + p.y * p.y + p.z * p.z) ** 0.5:6.2f} m  '
-                f'rate {v.x:6.3f} m/s  y {p.y:6.2f} z {p.z:6.2f} m  '
-                f'least margin {margin:5.2f} m  transit {delay:4.2f} s, loop {loop:g} s  '
-                f'{_decides(command)}' + ('  PAUSED' if self.paused else ''))
+                f'rate {v.x:6.3f} m/s  margin {margin:5.2f} m  {_decides(command)}  '
+                f'transit {delay:4.2f} s, loop {loop:g} s  y {p.y:5.2f} z {p.z:5.2f} m'
+                + ('  PAUSED' if self.paused else ''))
 
     def who_owes(self, nodes: list[str], recorder_lead: int) -> list[str]:
         """
