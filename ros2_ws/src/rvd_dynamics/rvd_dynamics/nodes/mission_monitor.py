@@ -28,7 +28,7 @@ class MissionMonitor(WatchNode):
         self._out = self.writer('/run/verdict', Verdict)
         self._published = time.monotonic()
         self._judged_final = False
-        self.watch('/truth/relative_state', RelativeState, self._on_truth)
+        self.watch('/truth/relative_state', RelativeState, self._on_truth, rests=True)
 
     def _on_truth(self, truth: RelativeState) -> None:
         if truth.step != self.step + 1:

@@ -14,6 +14,7 @@ import time
 from typing import Any, Callable
 
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
+from rclpy.callback_groups import CallbackGroup
 from rclpy.duration import Duration
 from rclpy.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
 from rclpy.node import Node
@@ -32,6 +33,7 @@ from rvd_interfaces.msg import RunEvent
 BARRIER_PERIOD_S = 0.02         # [s] wall time between two looks at the endpoints
 DIAGNOSTICS_PERIOD_S = 1.0      # [s] wall time
 LINGER_S = 2.0                  # [s] wall time a closing writer waits for its readers
+REST_S = 0.03                   # [s] wall time a watcher that has caught up lets messages gather
 
 
 class WatchNode(Node):
@@ -75,12 +77,14 @@ class WatchNode(Node):
         """Declare and return the settings of this node's algorithm."""
         return declare(self, cls, **wiring)
 
-    def watch(self, topic: str, kind: type, callback: Callable, raw: bool = False
-              ) -> Subscription:
-        """Subscribe with the topic's own quality of service."""
+    def watch(self, topic: str, kind: type, callback: Callable, raw: bool = False,
+              group: CallbackGroup | None = None, rests: bool = False) -> Subscription:
+        """Subscribe with the topic's own quality of service; `rests`: see `rest`."""
+        guarded = self._guarded(callback)
         events = SubscriptionEventCallbacks(use_default_callbacks=False) if self._lean else None
         subscription = self.create_subscription(
-            kind, topic, self._guarded(callback), qos.of(topic, self.mission.joy_input), raw=raw,
+            kind, topic, self._resting(guarded) if rests else guarded,
+            qos.of(topic, self.mission.joy_input), raw=raw, callback_group=group,
             event_callbacks=events)
         self._subscriptions_of[topic] = subscription
         return subscription
@@ -129,6 +133,23 @@ class WatchNode(Node):
         """Be told that every endpoint of this node is matched."""
 
     # -- while it runs --------------------------------------------------------------------
+
+    def rest(self, message_info: dict) -> None:
+        """
+        Sleep for a moment if the message at hand is fresh; for watchers outside the ring.
+
+        What comes meanwhile is taken in one go: to be woken for each message costs a process
+        several times what it does with it.
+        """
+        age_ns = time.time_ns() - message_info['source_timestamp']
+        if 0 <= age_ns < REST_S * 1e9 and not self.done.done():
+            time.sleep(REST_S)
+
+    def _resting(self, callback: Callable) -> Callable:
+        def call(message, message_info):
+            callback(message)
+            self.rest(message_info)
+        return call
 
     def event(self, code: str, text: str) -> None:
         """Say on /run/events that something happened, once."""
