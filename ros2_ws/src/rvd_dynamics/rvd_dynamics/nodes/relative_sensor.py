@@ -29,7 +29,7 @@ class RelativeSensor(StepNode):
         self._sensor = self.settings(SensorParams).selected
         self._noise = measurement_normals(mission.seed, mission.run, mission.last_step + 1)
         self.step_input('/truth/relative_state', RelativeState)
-        self.step_input('/onboard/thruster_command', ThrustCommand, lag=1)
+        self.step_input('/onboard/thruster_command', ThrustCommand, lag=1, early=True)
         self._measurement = self.step_output('/onboard/measurement', RelativeState)
         self._downlink = self.step_output('/onboard/downlink', LinkFrame)
         self._accepted = 0
@@ -45,14 +45,14 @@ class RelativeSensor(StepNode):
         if command is not None:
             refusal = command.reason if not command.valid else 0
             self._accepted = max(self._accepted, command.sequence)
-        self._measurement.publish(state_to_msg(
-            step, now, self.mission.frame_id, RelativeState.SOURCE_MEASUREMENT, measured, valid))
         self._downlink.publish(LinkFrame(
             step=step, sequence=step + 1, sent=now, arrived=-1, released=-1,
             payload=pack_downlink(
                 sequence=step + 1, generated_ns=now, state=measured,
                 accepted_sequence=self._accepted,
                 refusal=0 if refusal == REASON_EMPTY else refusal)))
+        self._measurement.publish(state_to_msg(
+            step, now, self.mission.frame_id, RelativeState.SOURCE_MEASUREMENT, measured, valid))
 
 
 def main(args=None) -> None:

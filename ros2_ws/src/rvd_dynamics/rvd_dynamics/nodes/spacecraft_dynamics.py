@@ -78,10 +78,10 @@ class SpacecraftDynamics(StepNode):
             self.final_step = step
             self._end.publish(UInt64(data=step))
         now = step * self.mission.step_ns
-        self._clock_out.publish(Clock(clock=time_at(now)))
         self._truth.publish(state_to_msg(
             step, now, self.mission.frame_id, RelativeState.SOURCE_TRUTH, self._state,
             valid=bool(np.isfinite(self._state).all()), final=final, acceleration=acceleration))
+        self._clock_out.publish(Clock(clock=time_at(now)))
 
     # -- pacing ---------------------------------------------------------------------------
 

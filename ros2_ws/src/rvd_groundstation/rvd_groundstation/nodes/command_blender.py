@@ -45,7 +45,7 @@ class CommandBlender(StepNode):
             self.step_input('/joy', Joy)
         elif '/joy' in self.spec.watches:
             self.watch('/joy', Joy, self._stick.take)
-        self.step_input('/ground/auto_command', ThrustCommand)
+        self.step_input('/ground/auto_command', ThrustCommand, early=self._stepped)
         self._command = self.step_output('/ground/command', ThrustCommand)
         self._uplink = self.step_output('/ground/uplink', LinkFrame)
         self._pause = self.writer('/run/pause', Bool)
@@ -66,18 +66,18 @@ class CommandBlender(StepNode):
         mission, kind = self.mission, KIND_ABORT if self._abort else KIND_THRUST
         levels = NEUTRAL if self._abort else d.levels
         acts_ns = (step + mission.forward_steps) * mission.step_ns
-        self._command.publish(ThrustCommand(
-            header=header_at(acts_ns, mission.frame_id), step=step, sequence=step + 1, kind=kind,
-            levels=levels, valid=True,
-            decided_by=BY_PILOT if self._abort else int(d.decided_by),
-            pilot_weight=float(d.pilot_weight),
-            reason=REASON_ABORT if self._abort else int(d.reason)))
         now = step * mission.step_ns
         self._uplink.publish(LinkFrame(
             step=step, sequence=step + 1, sent=now, arrived=-1, released=-1,
             expedited=self._abort,
             payload=pack_command(sequence=step + 1, generated_ns=now, kind=kind,
                                  levels=levels.tolist())))
+        self._command.publish(ThrustCommand(
+            header=header_at(acts_ns, mission.frame_id), step=step, sequence=step + 1, kind=kind,
+            levels=levels, valid=True,
+            decided_by=BY_PILOT if self._abort else int(d.decided_by),
+            pilot_weight=float(d.pilot_weight),
+            reason=REASON_ABORT if self._abort else int(d.reason)))
 
     # -- control --------------------------------------------------------------------------
 

@@ -28,7 +28,7 @@ class OperatorModel(StepNode):
         draws = pilot_draws(mission.seed, mission.run, mission.last_step + 1)
         self._pilot = Pilot(params, mission, draws,
                             skill_normal(mission.seed, params.operator_of(mission.run)))
-        self.step_input('/ground/estimate', RelativeState)
+        self.step_input('/ground/estimate', RelativeState, early=True)
         self.step_input('/ground/prediction', RelativeState)
         self._joy = self.step_output('/joy', Joy)
 

@@ -30,7 +30,7 @@ class StatePredictor(StepNode):
         self._predictor = Predictor(self.settings(PredictorParams), self.mission)
         self._score = Score(self.mission)
         self.step_input('/ground/telemetry', LinkFrame)
-        self.step_input('/ground/command', ThrustCommand, lag=1)
+        self.step_input('/ground/command', ThrustCommand, lag=1, early=True)
         self._estimate = self.step_output('/ground/estimate', RelativeState)
         self._prediction = self.step_output('/ground/prediction', RelativeState)
         self._scored = self.step_output('/ground/prediction_score', PredictionScore)
