@@ -1,0 +1,19 @@
+"""
+Make the picture of the README again from a run.
+
+    ./rvd fly --out runs/picture && ./rvd shell python scripts/make_pictures.py runs/picture
+"""
+
+import sys
+from pathlib import Path
+
+from rvd_campaign.bag import read
+from rvd_campaign.figures import approach_picture
+
+IMAGES = Path(__file__).resolve().parents[1] / 'docs' / 'images'
+
+if __name__ == '__main__':
+    if len(sys.argv) != 2:
+        sys.exit(__doc__.strip())
+    IMAGES.mkdir(parents=True, exist_ok=True)
+    approach_picture(read(Path(sys.argv[1])), IMAGES / 'approach.png')
