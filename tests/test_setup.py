@@ -21,7 +21,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[1]
 TOOLS = ('awk bash cat comm cp cut date dirname env find flock grep kill ls mkdir mv readlink rm sed '
-         'sha256sum sh sleep sort tail tr uname').split()
+         'sha256sum sh sleep sort tail tr true uname').split()
 PYTHONS = ['3.10', '3.11', '3.12', '3.13']
 needs_wheels = pytest.mark.skipif(platform.machine() != 'x86_64',
                                   reason='the wheels of ROS 2 exist for x86_64 only')
@@ -437,8 +437,8 @@ def test_a_build_killed_half_way_is_repaired_with_the_change_that_caused_it(read
 
 ROS_SETUP = """
 export ROS_DISTRO=jazzy ROS_VERSION=2 ROS_PYTHON_VERSION=3
-export AMENT_PREFIX_PATH={venv}${{AMENT_PREFIX_PATH:+:$AMENT_PREFIX_PATH}}
-export CMAKE_PREFIX_PATH={venv}${{CMAKE_PREFIX_PATH:+:$CMAKE_PREFIX_PATH}}
+export AMENT_PREFIX_PATH={prefix}/ros${{AMENT_PREFIX_PATH:+:$AMENT_PREFIX_PATH}}
+export CMAKE_PREFIX_PATH={prefix}/ros${{CMAKE_PREFIX_PATH:+:$CMAKE_PREFIX_PATH}}
 export PYTHONPATH={prefix}/python${{PYTHONPATH:+:$PYTHONPATH}}
 export LD_LIBRARY_PATH={libraries}${{LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}}
 export PATH={prefix}/bin:$PATH
@@ -459,11 +459,13 @@ def imitate_installed_ros(prefix, venv):
     for name in names:
         if not name.startswith(('ros_', '__pycache__')) and not name.endswith('.pth'):
             (prefix / 'python' / name.split(',')[0]).symlink_to(site / name.split(',')[0])
+    (prefix / 'ros').symlink_to(venv)
     (prefix / 'bin').mkdir()
     stand_in(prefix / 'bin', 'ros2', 'echo "ros2 $*"\n')
-    libraries = ':'.join(map(str, [venv / 'lib', *site.glob('ros_*.libs')]))
+    libraries = [prefix / 'ros' / folder.relative_to(venv)
+                 for folder in [venv / 'lib', *site.glob('ros_*.libs')]]
     (prefix / 'setup.bash').write_text(
-        ROS_SETUP.format(venv=venv, prefix=prefix, libraries=libraries))
+        ROS_SETUP.format(prefix=prefix, libraries=':'.join(map(str, libraries))))
 
 
 @needs_wheels
@@ -491,10 +493,11 @@ def test_an_installed_ros_is_built_on_and_left_as_it_is(ready, project, tmp_path
     assert script.read_text().startswith(f'#!{own}/bin/python')
 
     # An overlay of the user that is loaded already keeps its place before ROS.
-    loaded = {'ROS_DISTRO': 'jazzy', 'AMENT_PREFIX_PATH': f'/home/user/ws:{venv}'}
+    loaded = {'ROS_DISTRO': 'jazzy', 'AMENT_PREFIX_PATH': f'/home/user/ws:{prefix}/ros'}
     path = rvd(project, 'shell', '-c', 'echo $AMENT_PREFIX_PATH', **ros, **loaded).stdout
-    assert path.strip().split(':')[-2:] == ['/home/user/ws', str(venv)]
-    assert path.count(str(venv)) == 1
+    entries = path.strip().split(':')
+    assert entries[-2:] == ['/home/user/ws', f'{prefix}/ros']
+    assert f'{prefix}/ros' not in entries[:-2] and len(entries) == 6
 
 
 @needs_wheels
