@@ -1,5 +1,5 @@
 """
-What the project ships to choose from: laws, scenarios, tapes.
+What the project ships to choose from: laws, scenarios, tapes, campaigns.
 """
 
 import os
@@ -45,7 +45,7 @@ def find(kind: str, name: str, suffixes: tuple[str, ...]) -> Path:
 
 
 def entries(what: str) -> Iterator[tuple[str, str]]:
-    """Yield (name, meaning) of the shipped laws, scenarios or tapes."""
+    """Yield (name, meaning) of the shipped laws, scenarios, tapes or campaigns."""
     if what == 'laws':
         from rvd_groundstation.guidance import LAWS
         for name, law in LAWS.items():

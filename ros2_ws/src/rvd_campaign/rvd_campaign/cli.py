@@ -38,6 +38,8 @@ def parser() -> argparse.ArgumentParser:
                                   parser_class=Parser)
     _add_fly(commands)
     _add_report(commands)
+    _add_campaign(commands)
+    _add_calibrate(commands)
     _add_list(commands)
     _add_bench(commands)
     return top
@@ -70,16 +72,62 @@ def _add_fly(commands: argparse._SubParsersAction) -> None:
 
 def _add_report(commands: argparse._SubParsersAction) -> None:
     report = commands.add_parser(
-        'report', help='make the report of a run again',
-        description='Write report.html of a run from its bag alone.')
-    report.add_argument('folder', metavar='RUN', help='a run folder or a bag folder')
+        'report', help='make the report of a run or a campaign again',
+        description='Write report.html of a run from its bag alone, or of a campaign from its '
+                    'results.')
+    report.add_argument('folder', metavar='RUN', help='a run, a bag or a campaign folder')
     report.set_defaults(run=_report)
+
+
+def _add_campaign(commands: argparse._SubParsersAction) -> None:
+    campaign = commands.add_parser(
+        'campaign', help='fly thousands of approaches in process',
+        description='Fly every condition of a campaign in paired runs; leave a folder with '
+                    'results.parquet, summary.json and report.html. What is finished is never '
+                    'flown again: stop it at any moment and go on with --resume.',
+        epilog='Exit codes: 0 done, 2 could not run, 130 Ctrl-C (go on with --resume).')
+    campaign.add_argument('campaign', nargs='?', metavar='CAMPAIGN',
+                          help='name in `rvd list campaigns` or a file')
+    campaign.add_argument('--runs', type=int, metavar='N', help='runs of each condition')
+    campaign.add_argument('--workers', type=int, metavar='N',
+                          help='processes that fly (default: one per core)')
+    campaign.add_argument('--batch', type=int, metavar='N',
+                          help='runs that fly together; changes no result')
+    campaign.add_argument('--out', metavar='DIR',
+                          help='folder, must not exist (default: runs/<time>-<campaign>)')
+    campaign.add_argument('--resume', metavar='DIR', help='go on in the folder of a campaign')
+    campaign.add_argument('--backend', choices=('local', 'dask'), default='local',
+                          help='processes of this machine, or a Dask cluster')
+    campaign.add_argument('--scheduler', metavar='ADDRESS', help='of the Dask cluster')
+    campaign.set_defaults(run=_campaign)
+
+
+def _add_calibrate(commands: argparse._SubParsersAction) -> None:
+    calibrate = commands.add_parser(
+        'calibrate', help='fit the pilot to condition 1',
+        description='Fit the free numbers of a pilot to the statistics of manual flights, say '
+                    'what these can identify and what not, and write a pilot file.')
+    calibrate.add_argument('pilot', nargs='?', default='A', metavar='PILOT',
+                           help='where to begin: A, B, C or a pilot file (default: A)')
+    calibrate.add_argument('--free', metavar='NAME[,NAME]',
+                           help='numbers to fit (default: skill_gain; without display '
+                                'no_display_trust)')
+    calibrate.add_argument('--runs', type=int, default=4000, metavar='N',
+                           help='runs for each look at a pilot (default: 4000)')
+    calibrate.add_argument('--seed', type=int, default=1, metavar='N')
+    calibrate.add_argument('--scenario', default='paper', metavar='SCENARIO')
+    calibrate.add_argument('--workers', type=int, metavar='N',
+                           help='processes that fly (default: one per core)')
+    calibrate.add_argument('--quick', action='store_true',
+                           help='fit only, without the study of what is identifiable')
+    calibrate.add_argument('--out', metavar='FILE', help='pilot file to write, must not exist')
+    calibrate.set_defaults(run=_calibrate)
 
 
 def _add_list(commands: argparse._SubParsersAction) -> None:
     listing = commands.add_parser('list', help='what there is to choose from',
-                                  description='List laws, scenarios or tapes.')
-    listing.add_argument('what', choices=('laws', 'scenarios', 'tapes'))
+                                  description='List laws, scenarios, tapes or campaigns.')
+    listing.add_argument('what', choices=('laws', 'scenarios', 'tapes', 'campaigns'))
     listing.set_defaults(run=_list)
 
 
@@ -100,9 +148,24 @@ def _fly(args: argparse.Namespace) -> int:
 def _report(args: argparse.Namespace) -> int:
     from pathlib import Path
 
+    folder = Path(args.folder)
+    if (folder / 'campaign.json').is_file():
+        from rvd_campaign.campaign.report import write_campaign_report
+        print(write_campaign_report(folder))
+        return EXIT_DONE
     from rvd_campaign.report import write_report
-    print(write_report(Path(args.folder)))
+    print(write_report(folder))
     return EXIT_DONE
+
+
+def _campaign(args: argparse.Namespace) -> int:
+    from rvd_campaign.campaign import command
+    return command.main(args)
+
+
+def _calibrate(args: argparse.Namespace) -> int:
+    from rvd_campaign.campaign import calibrate
+    return calibrate.main(args)
 
 
 def _list(args: argparse.Namespace) -> int:

@@ -1,0 +1,118 @@
+"""
+`./rvd campaign`: from the command line to a folder with results and a report.
+"""
+
+import argparse
+import json
+import signal
+import sys
+import warnings
+from dataclasses import replace
+from pathlib import Path
+
+from rvd_campaign.campaign import engine, results
+from rvd_campaign.campaign.engine import KEPT, Workers
+from rvd_campaign.campaign.progress import clock, Progress
+from rvd_campaign.campaign.spec import Campaign, CampaignError, check_runs, load_campaign
+from rvd_campaign.campaign.summary import finish, in_words, SUMMARY
+from rvd_campaign.cli import CannotRun, EXIT_DONE, EXIT_INTERRUPTED
+from rvd_campaign.fly import new_folder
+
+MAX_WORKERS = 256
+
+
+def main(args: argparse.Namespace) -> int:
+    """Fly a campaign as the command line asks; return the exit code."""
+    workers = _workers(args)
+    campaign, folder = _resumed(args) if args.resume else _new(args)
+    signal.signal(signal.SIGTERM, lambda *_: signal.raise_signal(signal.SIGINT))
+    print(f'{campaign.name}: {len(campaign.conditions)} conditions of {campaign.runs:,} runs, '
+          f'seed {campaign.seed}, {folder}', flush=True)
+    progress = Progress()
+    try:
+        with engine.sole_writer(folder), warnings.catch_warnings():
+            warnings.simplefilter('ignore')     # of worker pools that are ended on purpose
+            engine.fly_campaign(campaign, folder, workers, progress)
+    except KeyboardInterrupt:
+        _stay_dead()
+        progress.end()
+        print(f'stopped: {progress.done:,} of {progress.total:,} runs are finished; go on with '
+              f'./rvd campaign --resume {folder}', flush=True)
+        return EXIT_INTERRUPTED
+    _finish(campaign, folder)
+    if progress.flown:
+        rate = progress.flown / progress.elapsed_s
+        print(f'{progress.flown:,} runs in {clock(progress.elapsed_s)}, {rate:,.0f} runs/s')
+    return EXIT_DONE
+
+
+def _finish(campaign: Campaign, folder: Path) -> None:
+    from rvd_campaign.campaign.report import write_campaign_report
+    summary = finish(campaign, folder)
+    try:
+        results.write_whole(folder / SUMMARY, json.dumps(summary, indent=1) + '\n')
+        print(in_words(summary))
+        print(f'result hash {summary["result_hash"]}', flush=True)
+        print(write_campaign_report(folder), flush=True)
+    except OSError as error:
+        raise engine.full_disk(folder, error) from None
+
+
+def _stay_dead() -> None:
+    """A second Ctrl-C while we say good-bye changes nothing."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    sys.stdout.flush()
+
+
+def _workers(args: argparse.Namespace) -> Workers:
+    count = args.workers if args.workers is not None else engine.default_workers()
+    if not 1 <= count <= MAX_WORKERS:
+        raise CannotRun(f'--workers must be 1 to {MAX_WORKERS}, got {count}')
+    if args.batch is not None and args.batch < 1:
+        raise CannotRun(f'--batch must be at least 1, got {args.batch}')
+    if (args.backend == 'dask') != bool(args.scheduler):
+        raise CannotRun('--backend dask and --scheduler ADDRESS need each other')
+    return Workers(count, args.backend, args.scheduler or '', args.batch or 0)
+
+
+def _new(args: argparse.Namespace) -> tuple[Campaign, Path]:
+    if args.campaign is None:
+        raise CannotRun('give a campaign file, a name in `rvd list campaigns`, or --resume DIR')
+    campaign = load_campaign(args.campaign, args.runs)
+    if args.out is not None and (Path(args.out) / KEPT).exists():
+        raise CannotRun(f'--out {args.out} holds a campaign already: nothing is overwritten; '
+                        f'go on with it by --resume {args.out}, or give another folder')
+    engine.check_space(_standing(Path(args.out or 'runs')),
+                       campaign.runs * len(campaign.conditions))
+    folder = new_folder(args.out, campaign.name)
+    try:
+        engine.start(campaign, folder)
+    except OSError as error:
+        raise engine.full_disk(folder, error) from None
+    return campaign, folder
+
+
+def _resumed(args: argparse.Namespace) -> tuple[Campaign, Path]:
+    folder = Path(args.resume)
+    if args.out is not None:
+        raise CannotRun('--resume goes on in its own folder: leave out --out')
+    campaign, kept = engine.open_folder(folder)
+    if args.campaign is not None:
+        campaign = load_campaign(args.campaign, args.runs or campaign.runs)
+    if args.runs is not None:
+        check_runs(args.runs, len(campaign.conditions))
+        campaign = replace(campaign, runs=args.runs)
+    engine.check_same(folder, kept, campaign)
+    try:
+        engine.keep(campaign, folder)
+    except OSError as error:
+        raise engine.full_disk(folder, error) from None
+    return campaign, folder
+
+
+def _standing(folder: Path) -> Path:
+    """Return the nearest folder above that exists: its disk is the one that fills."""
+    folder = folder.absolute()
+    while not folder.is_dir():
+        folder = folder.parent
+    return folder

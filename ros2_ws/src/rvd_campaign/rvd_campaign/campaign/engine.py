@@ -1,0 +1,309 @@
+"""
+Flies a campaign: stretches of runs on worker processes, each kept on disk when it is finished.
+
+Folder  campaign.json    what is flown, every default resolved, and the fingerprint of it
+        parts/           finished stretches; what is there is never flown again
+        results.parquet, summary.json, report.html      made when all runs are there
+Split   a run depends on (seed, run, purpose) and its condition alone, so that neither workers
+        nor batch nor resume can change it; the hash of the result table says so.
+Workers joblib's: processes of this machine (loky), or a Dask cluster. Only this process writes.
+"""
+
+import errno
+import fcntl
+import hashlib
+import importlib.metadata
+import json
+import os
+import shutil
+import signal
+import threading
+import time
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from pathlib import Path
+
+import joblib
+
+from rvd_campaign.campaign import results
+from rvd_campaign.campaign.progress import Progress
+from rvd_campaign.campaign.results import Stretch, Table
+from rvd_campaign.campaign.spec import Campaign, CampaignError, from_dict
+from rvd_campaign.loop import fly
+from rvd_campaign.scenario import Scenario
+
+KEPT, PARTS, RESULTS = 'campaign.json', 'parts', 'results.parquet'
+BATCH_STEPS = 200_000           # runs times steps that fly together: 150 MB of draws, full speed
+SPARE_BYTES = 8 << 20           # of disk, for summary and report
+FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
+MATTERS = ('numpy', 'scipy', 'filterpy')        # packages whose version may move a last bit
+SOURCES = ('.py', '.c', '.h')
+PR_SET_PDEATHSIG = 1                            # linux/prctl.h
+
+
+@dataclass(frozen=True)
+class Workers:
+    """Who flies."""
+
+    count: int = 1
+    backend: str = 'local'              # local or dask
+    scheduler: str = ''                 # of dask: its address
+    batch: int = 0                      # runs that fly together; 0: what suits the memory
+
+
+def default_workers() -> int:
+    """Return how many cores this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, 'sched_getaffinity') else os.cpu_count() or 1
+
+
+# -- identity --------------------------------------------------------------------------------
+
+@lru_cache(maxsize=1)
+def code_hash() -> str:
+    """Return the hash of the sources that a run depends on."""
+    import rvd_campaign.loop
+    import rvd_campaign.scenario
+    import rvd_dynamics
+    import rvd_groundstation
+    made = hashlib.sha256()
+    for package in (rvd_dynamics, rvd_groundstation):
+        folder = Path(package.__file__).resolve().parent
+        for path in sorted(p for p in folder.rglob('*') if p.suffix in SOURCES):
+            if not {'nodes', 'ros', 'recording'} & set(path.relative_to(folder).parts):
+                made.update(f'{path.relative_to(folder)}\0'.encode() + path.read_bytes())
+    for module in (rvd_campaign.loop, rvd_campaign.scenario, results):
+        made.update(Path(module.__file__).read_bytes())
+    return made.hexdigest()
+
+
+def versions() -> dict[str, str]:
+    """Return the versions of the packages that a run's last bits depend on."""
+    return {name: importlib.metadata.version(name) for name in MATTERS}
+
+
+def identity(campaign: Campaign) -> dict[str, str]:
+    """Return what must be equal for two runs of the same number to be the same run."""
+    settings = json.dumps([campaign.seed, [(c.name, c.scenario.resolved())
+                                           for c in campaign.conditions]])
+    return {'settings': hashlib.sha256(settings.encode()).hexdigest(), 'code': code_hash(),
+            **versions()}
+
+
+def open_folder(folder: Path) -> tuple[Campaign, dict]:
+    """
+    Return the campaign of a folder and everything that is kept about it.
+
+    Raises
+    ------
+    CampaignError
+        If it is not the folder of a campaign.
+    """
+    try:
+        kept = json.loads((folder / KEPT).read_text(encoding='utf-8'))
+        return from_dict(kept['campaign']), kept
+    except OSError as error:
+        raise CampaignError(f'{folder} is not the folder of a campaign: {KEPT}: '
+                            f'{error.strerror}') from None
+    except (ValueError, KeyError, TypeError) as error:
+        raise CampaignError(f'{folder / KEPT} is damaged: {error}') from None
+
+
+def check_same(folder: Path, kept: dict, campaign: Campaign) -> None:
+    """Refuse to add runs to the folder of another campaign."""
+    mine, its = identity(campaign), kept['identity']
+    if mine['settings'] != its['settings']:
+        raise CampaignError(f'{folder} holds another campaign ({kept["campaign"]["name"]} with '
+                            'other settings or seed): nothing is overwritten')
+    for name in ('code', *MATTERS):
+        if mine[name] != its.get(name):
+            what = ('another version of this software' if name == 'code'
+                    else f'{name} {its.get(name)}, here is {mine[name]}')
+            raise CampaignError(f'{folder} was flown with {what}: its runs cannot be mixed with '
+                                'new ones')
+
+
+# -- flying ----------------------------------------------------------------------------------
+
+def start(campaign: Campaign, folder: Path) -> None:
+    """Make an empty folder the folder of a campaign."""
+    (folder / PARTS).mkdir()
+    keep(campaign, folder)
+
+
+def keep(campaign: Campaign, folder: Path) -> None:
+    """Write what the folder is about."""
+    kept = {'campaign': campaign.as_dict(), 'identity': identity(campaign)}
+    results.write_whole(folder / KEPT, json.dumps(kept, indent=1))
+
+
+def fly_campaign(campaign: Campaign, folder: Path, workers: Workers, progress: Progress) -> None:
+    """
+    Fly every run that the folder does not hold yet.
+
+    Raises
+    ------
+    CampaignError
+        If the disk is full, or a worker cannot do its work; finished runs are kept.
+    """
+    parts = folder / PARTS
+    done = list(results.finished(parts))
+    todo = stretches(campaign, done, workers)
+    check_space(folder, sum(s.count for s in todo))
+    total = len(campaign.conditions) * campaign.runs
+    progress.begin(total - sum(s.count for s in todo), total)
+    for stretch, table, seconds in _flown(campaign, todo, workers):
+        try:
+            results.write_part(parts, stretch, table, seconds)
+        except OSError as error:
+            raise full_disk(folder, error) from None
+        progress.add(stretch.count)
+    progress.end()
+
+
+def stretches(campaign: Campaign, done: list[Stretch], workers: Workers) -> list[Stretch]:
+    """Return what is to be flown, all conditions advancing together."""
+    todo = []
+    for index, condition in enumerate(campaign.conditions):
+        size = workers.batch or max(1, BATCH_STEPS // (condition.scenario.mission.last_step + 1))
+        for gap in results.missing(done, index, campaign.runs):
+            todo += [Stretch(index, first, min(size, gap.stop - first))
+                     for first in range(gap.start, gap.stop, size)]
+    return sorted(todo, key=lambda s: (s.first, s.condition))
+
+
+def check_space(folder: Path, runs: int) -> None:
+    """Refuse to begin what the disk cannot hold."""
+    need = runs * results.BYTES_PER_RUN + SPARE_BYTES
+    free = shutil.disk_usage(folder).free
+    if free < need:
+        raise CampaignError(f'{folder}: {runs:,} runs need about {need >> 20} MB of disk, '
+                            f'{free >> 20} MB are free')
+
+
+def full_disk(folder: Path, error: OSError) -> Exception:
+    """Return the refusal for an error of the disk, or the error itself."""
+    if error.errno in FULL:
+        return CampaignError(f'{folder}: {os.strerror(error.errno)}; finished runs are kept: make '
+                             f'room and go on with --resume {folder}')
+    return CampaignError(f'{folder}: {error.strerror or error}')
+
+
+def _flown(campaign: Campaign, todo: list[Stretch], workers: Workers
+           ) -> Iterator[tuple[Stretch, Table, float]]:
+    """Yield stretches as they are finished, in any order."""
+    code, parent = (code_hash(), *versions().values()), os.getpid()
+    scenarios = [c.scenario for c in campaign.conditions]
+    with _backend(workers):
+        pool = joblib.Parallel(n_jobs=workers.count, return_as='generator_unordered',
+                               batch_size=1, pre_dispatch='2*n_jobs')
+        flown = pool(joblib.delayed(fly_stretch)(scenarios[s.condition], s, code, parent)
+                     for s in todo)
+        try:
+            yield from flown
+        finally:
+            flown.close()                       # ends the workers when we leave early
+
+
+@contextmanager
+def _backend(workers: Workers) -> Iterator[None]:
+    if workers.backend == 'local':
+        with joblib.parallel_config('loky', inner_max_num_threads=1):
+            yield
+        return
+    from distributed import Client
+    try:
+        client = Client(workers.scheduler, timeout=10, set_as_default=False)
+    except (OSError, ValueError) as error:
+        raise CampaignError(f'no Dask scheduler at {workers.scheduler!r}: {error}') from None
+    with client, joblib.parallel_config('dask', client=client):
+        yield
+
+
+def fly_stretch(scenario: Scenario, stretch: Stretch, code: tuple, parent: int
+                ) -> tuple[Stretch, Table, float]:
+    """
+    Fly one stretch; what a worker does.
+
+    Raises
+    ------
+    CampaignError
+        If the worker has other sources or packages than the process that asks.
+    """
+    if os.getppid() == parent:
+        _live_with_parent()
+    if code != (code_hash(), *versions().values()):
+        raise CampaignError('a worker has another version of this software or of '
+                            f'{", ".join(MATTERS)}')
+    begun = time.thread_time()
+    table = results.rows(fly(scenario.loop(), stretch.runs))
+    return stretch, table, time.thread_time() - begun
+
+
+@lru_cache(maxsize=1)
+def _live_with_parent() -> None:
+    """Leave Ctrl-C to the parent, and end when it is killed instead of idling for minutes."""
+    if threading.current_thread() is not threading.main_thread():
+        return
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        import ctypes
+        ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
+    except (OSError, AttributeError):           # not Linux
+        pass
+
+
+@contextmanager
+def sole_writer(folder: Path) -> Iterator[None]:
+    """
+    Hold the folder against a second process.
+
+    Raises
+    ------
+    CampaignError
+        If another process flies into it.
+    """
+    lock = os.open(folder / PARTS, os.O_RDONLY)
+    try:
+        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        yield
+    except BlockingIOError:
+        raise CampaignError(f'{folder} is being flown by another process') from None
+    finally:
+        os.close(lock)
+
+
+def refly(folder: Path, name: str, run: int) -> tuple[Scenario, Table]:
+    """
+    Return the scenario of one run of a campaign, to fly it again, and its row.
+
+    Raises
+    ------
+    CampaignError
+        If the folder has no such condition or run.
+    """
+    campaign, _ = open_folder(folder)
+    condition = campaign.condition(name)
+    if not 0 <= run < campaign.runs:
+        raise CampaignError(f'{folder} has runs 0 to {campaign.runs - 1}, not {run}')
+    index = campaign.conditions.index(condition)
+    row = _row(folder, index, run)
+    scenario = condition.scenario.with_values('/**', run=run)
+    return replace(scenario, name=f'{campaign.name}-{name}-{run}'), row
+
+
+def _row(folder: Path, condition: int, run: int) -> Table:
+    for stretch in results.finished(folder / PARTS):
+        if stretch.condition == condition and run in stretch.runs:
+            table = results.read_table(folder / PARTS / stretch.file)
+            at = int((table['run'] == run).argmax())
+            return {column: values[at:at + 1] for column, values in table.items()}
+    raise CampaignError(f'{folder}: run {run} of this condition is not flown yet')
+
+
+def condition_tables(campaign: Campaign, folder: Path) -> Iterable[tuple[str, Table]]:
+    """Yield each condition with all of its runs, in the order of the campaign."""
+    done = list(results.finished(folder / PARTS))
+    for index, condition in enumerate(campaign.conditions):
+        yield condition.name, results.condition_table(folder / PARTS, done, index, campaign.runs)

@@ -1,0 +1,2 @@
+def write_campaign_report(folder):
+    return folder

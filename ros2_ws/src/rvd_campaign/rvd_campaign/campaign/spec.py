@@ -1,0 +1,400 @@
+"""
+The campaign file: which conditions are flown, how often, and with which seed.
+
+    scenario: paper             # base: a name in `rvd list scenarios` or a file
+    seed: 1
+    runs: 10000                 # of each condition
+    set: CHANGES                # in every condition
+    conditions: {NAME: CHANGES}
+    grid: {AXIS: VALUES}        # every condition times every cell
+    compare: [[NAME, NAME]]     # differences to state; left out: each with the first
+    replicates: {operators: 10, runs: 10}
+    fitted: {NAME: WORDS}       # conditions whose result was fitted, and to what
+    reference: {WORDS: {condition: NAME, runs: 100, successes: 76, means: {...}}}
+    figures: [NAME], notes: [WORDS]
+
+CHANGES maps a section of the scenario to its keys, and knows two short words: `pilot` (A, B, C
+or a file of `rvd calibrate`) and `loop_delay_s`. An AXIS is a key with its section
+(`command_blender.eq25.eta: [0.5, 0.7]`), a short word, or a name with labelled CHANGES. Later
+ones win: set, condition, axes in their order. Every condition is built before the first run.
+"""
+
+import itertools
+import math
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from rvd_campaign import catalogue
+from rvd_campaign.scenario import (
+    check_keys, flat_keys, load, mapping_of, nearest, parse, Scenario, ScenarioError, SETTINGS,
+    SHARED, text_of)
+from rvd_dynamics.params import flatten
+from rvd_groundstation.operators.pilot import PILOTS
+
+MAX_CONDITIONS = 1000
+MAX_RUNS = 10_000_000           # of all conditions; a table of 2 GB
+KEYS = ('scenario', 'seed', 'runs', 'set', 'conditions', 'grid', 'compare', 'replicates', 'fitted',
+        'reference', 'figures', 'notes')
+SHORT_WORDS = ('pilot', 'loop_delay_s')
+OF_THE_CAMPAIGN = ('seed', 'run', 'nodes')      # keys of a scenario that no condition may change
+NAME = re.compile(r'[A-Za-z0-9][\w.+ -]*')
+
+
+class CampaignError(ValueError):
+    """A campaign that cannot be flown; the text is one line that names the value."""
+
+
+@dataclass(frozen=True)
+class Condition:
+    """One cell of a campaign."""
+
+    name: str
+    scenario: Scenario                  # with the seed of the campaign
+    at: dict[str, Any]                  # the place in the grid: axis and value
+    group: str                          # the name without the grid
+
+
+@dataclass(frozen=True)
+class Campaign:
+    """A checked campaign."""
+
+    name: str
+    title: str
+    seed: int
+    runs: int
+    conditions: tuple[Condition, ...]
+    replicates: tuple[int, int] | None = None           # operators, runs of each
+    compare: tuple[tuple[str, str], ...] = ()
+    fitted: dict[str, str] = field(default_factory=dict)
+    reference: dict[str, dict] = field(default_factory=dict)
+    figures: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
+    text: str = field(default='', repr=False)           # the file as it was written
+
+    def __post_init__(self) -> None:
+        check_runs(self.runs, len(self.conditions))
+
+    def condition(self, name: str) -> Condition:
+        """Return a condition by its name, or refuse it with the nearest one."""
+        for condition in self.conditions:
+            if condition.name == name:
+                return condition
+        raise CampaignError(f'campaign {self.name} has no condition {name!r}'
+                            + nearest(name, [c.name for c in self.conditions]))
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return everything that a folder keeps, every default resolved."""
+        return {
+            'name': self.name, 'title': self.title, 'seed': self.seed, 'runs': self.runs,
+            'replicates': self.replicates, 'compare': self.compare, 'fitted': self.fitted,
+            'reference': self.reference, 'figures': self.figures, 'notes': self.notes,
+            'text': self.text,
+            'conditions': [{'name': c.name, 'group': c.group, 'at': c.at,
+                            'scenario': c.scenario.dump()} for c in self.conditions]}
+
+
+def from_dict(kept: Mapping[str, Any]) -> Campaign:
+    """Return the campaign that `Campaign.as_dict` wrote."""
+    conditions = tuple(
+        Condition(c['name'], parse(c['scenario'], c['name']), c['at'], c['group'])
+        for c in kept['conditions'])
+    return Campaign(
+        kept['name'], kept['title'], kept['seed'], kept['runs'], conditions,
+        tuple(kept['replicates']) if kept['replicates'] else None,
+        tuple(tuple(pair) for pair in kept['compare']), kept['fitted'], kept['reference'],
+        tuple(kept['figures']), tuple(kept['notes']), kept['text'])
+
+
+def load_campaign(name: str, runs: int | None = None) -> Campaign:
+    """
+    Read and check a campaign: a file, or a shipped one by its name.
+
+    Raises
+    ------
+    ValueError
+        With one line that names the campaign and what is wrong in it.
+    """
+    path = catalogue.find('campaigns', name, ('.yaml',))
+    return parse_campaign(text_of(path, 'campaign'), path.stem, path.parent, runs)
+
+
+def parse_campaign(text: str, name: str, folder: Path = Path(), runs: int | None = None
+                   ) -> Campaign:
+    """Check the text of a campaign file that lies in `folder`; errors as `load_campaign`."""
+    return _Reader(name, folder).read(text, runs)
+
+
+def check_runs(runs: Any, conditions: int) -> None:
+    """Refuse an impossible number of runs per condition."""
+    if isinstance(runs, bool) or not isinstance(runs, int) or runs < 1:
+        raise CampaignError(f'runs must be a whole number, at least 1, got {runs}')
+    if runs * conditions > MAX_RUNS:
+        raise CampaignError(f'{conditions} conditions of {runs:,} runs are {runs*conditions:,} '
+                            f'runs; the limit is {MAX_RUNS:,}')
+
+
+class _Reader:
+    """Turns the text of one campaign file into a campaign."""
+
+    def __init__(self, name: str, folder: Path) -> None:
+        self._what = f'campaign {name}'
+        self._name, self._folder = name, folder
+
+    def read(self, text: str, runs: int | None) -> Campaign:
+        """Return the checked campaign; `runs` takes the place of those in the file."""
+        tree = mapping_of(text, self._what)
+        for key in tree:
+            if key not in KEYS:
+                self._refuse(f'unknown key {key}' + nearest(str(key), KEYS))
+        seed = tree.get('seed', 0)
+        if isinstance(seed, bool) or not isinstance(seed, int) or not 0 <= seed < 2**63:
+            self._refuse(f'seed must be a whole number, not negative, got {seed}')
+        groups = self._groups(tree.get('conditions', {'all': None}))
+        cells = self._cells(tree.get('grid', {}), len(groups))
+        runs = tree.get('runs', 1000) if runs is None else runs
+        try:
+            check_runs(runs, len(groups)*cells.count)
+        except CampaignError as error:
+            self._refuse(str(error))
+        base = self._base(tree.get('scenario', 'paper'), tree.get('set'), seed)
+        conditions = tuple(self._conditions(base, groups, cells, 'conditions' in tree))
+        names = [c.name for c in conditions]
+        return Campaign(
+            self._name, _title(text), seed, runs, conditions,
+            self._replicates(tree.get('replicates'), runs, conditions),
+            self._pairs(tree.get('compare'), names),
+            self._texts('fitted', tree.get('fitted'), names),
+            self._reference(tree.get('reference'), names),
+            self._figures(tree.get('figures', [])), self._notes(tree.get('notes', [])), text)
+
+    def _refuse(self, words: str) -> None:
+        raise CampaignError(f'{self._what}: {words}')
+
+    # -- conditions -----------------------------------------------------------------------
+
+    def _base(self, name: Any, changes: Any, seed: int) -> Scenario:
+        beside = self._folder / str(name)
+        path = beside if beside.is_file() else catalogue.find('scenarios', str(name), ('.yaml',))
+        base = load(path).with_values(SHARED, seed=seed, run=0)
+        return self._changed(base, 'set', changes)
+
+    def _groups(self, groups: Any) -> dict[str, Any]:
+        if not isinstance(groups, dict) or not groups:
+            self._refuse('conditions must map names to changes')
+        for name in groups:
+            if not isinstance(name, str) or not NAME.fullmatch(name):
+                self._refuse(f'a condition cannot be named {name!r}: letters, digits, space and '
+                             '_ . + - only')
+        return groups
+
+    def _cells(self, grid: Any, groups: int) -> '_Cells':
+        if not isinstance(grid, dict):
+            self._refuse('grid must map axes to values')
+        axes = {}
+        for name, values in grid.items():
+            if isinstance(values, list) and values:
+                axes[name] = [(value, self._one_key(str(name), value)) for value in values]
+            elif isinstance(values, dict) and values:
+                axes[name] = list(values.items())
+            else:
+                self._refuse(f'grid axis {name} must be a list of values or map labels to '
+                             f'changes, got {values!r}')
+        cells = _Cells(axes)
+        if groups * cells.count > MAX_CONDITIONS:
+            self._refuse(f'{groups} conditions times a grid of {cells.count:,} cells are '
+                         f'{groups * cells.count:,} conditions; the limit is {MAX_CONDITIONS:,}')
+        return cells
+
+    def _one_key(self, axis: str, value: Any) -> dict[str, Any]:
+        """Return the change that one value of an axis means."""
+        if axis in SHORT_WORDS:
+            return {axis: value}
+        for section in SETTINGS:
+            if axis.startswith(f'{section}.'):
+                return {section: {axis[len(section) + 1:]: value}}
+        known = [*SHORT_WORDS, *(f'{section}.' for section in SETTINGS)]
+        self._refuse(f'grid axis {axis} must begin with a section of the scenario'
+                     + nearest(axis, known))
+
+    def _conditions(self, base: Scenario, groups: dict[str, Any], cells: '_Cells',
+                    named: bool) -> Iterator[Condition]:
+        seen = set()
+        for group, changes in groups.items():
+            of_group = self._changed(base, group, changes)
+            for cell in cells:
+                label = ','.join(f'{cells.short(axis)}={_shown(value)}'
+                                 for axis, (value, _) in cell.items())
+                name = ','.join(part for part in (group if named or not label else '', label)
+                                if part)
+                scenario = of_group
+                for _, change in cell.values():
+                    scenario = self._changed(scenario, name, change)
+                if name in seen:
+                    self._refuse(f'two conditions are named {name}')
+                seen.add(name)
+                self._buildable(name, scenario)
+                yield Condition(name, scenario, {a: v for a, (v, _) in cell.items()}, group)
+
+    def _buildable(self, name: str, scenario: Scenario) -> None:
+        try:
+            scenario.loop()
+        except ValueError as error:
+            self._refuse(f'condition {name}: {_bare(error)}')
+
+    def _changed(self, scenario: Scenario, where: str, changes: Any) -> Scenario:
+        """Return the scenario with changes made in it."""
+        if changes is None:
+            return scenario
+        try:
+            if not isinstance(changes, dict):
+                raise ScenarioError(f'changes must map sections to keys, got {changes!r}')
+            for key in sorted(changes, key=lambda k: k not in SHORT_WORDS):
+                scenario = self._change(scenario, key, changes[key])
+        except CampaignError:
+            raise
+        except ValueError as error:
+            self._refuse(f'condition {where}: {_bare(error)}' if where != 'set'
+                         else f'set: {_bare(error)}')
+        return scenario
+
+    def _change(self, scenario: Scenario, key: Any, value: Any) -> Scenario:
+        if key == 'pilot':
+            return scenario.with_values('operator_model', **_dunder(self._pilot(value)))
+        if key == 'loop_delay_s':
+            return scenario.with_values(SHARED, **_legs(value, scenario.mission.step_s))
+        if key not in SETTINGS:
+            raise ScenarioError(f'no section {key!r}' + nearest(str(key),
+                                                                [*SETTINGS, *SHORT_WORDS]))
+        if not isinstance(value, dict):
+            raise ScenarioError(f'{key} must map keys to values, got {value!r}')
+        flat = flat_keys(value, self._what)
+        for name in OF_THE_CAMPAIGN:
+            if key == SHARED and name in flat:
+                raise ScenarioError(f'{name} belongs to the campaign, not to a condition')
+        check_keys(scenario.name, key, flat)
+        return scenario.with_values(key, **_dunder(flat))
+
+    def _pilot(self, value: Any) -> dict[str, Any]:
+        """Return the settings that a pilot's name or file means."""
+        if value in PILOTS:
+            return flatten(PILOTS[value])
+        for path in (self._folder / str(value), Path(str(value))):
+            if path.is_file():
+                return flatten(load(path).settings('operator_model'))
+        raise ScenarioError(f'no pilot {value!r}: give a file or one of {", ".join(PILOTS)}')
+
+    # -- what is said about the conditions --------------------------------------------------
+
+    def _replicates(self, value: Any, runs: int, conditions: tuple) -> tuple[int, int] | None:
+        if value is None:
+            return None
+        if (not isinstance(value, dict) or set(value) != {'operators', 'runs'}
+                or not all(type(n) is int and n >= 1 for n in value.values())):
+            self._refuse('replicates must be {operators: N, runs: M}, whole numbers, '
+                         f'got {value!r}')
+        size = value['operators'] * value['runs']
+        if runs % size:
+            self._refuse(f'runs must be a multiple of {size}, one replicate, got {runs}')
+        for condition in conditions:
+            each = condition.scenario.settings('operator_model').runs_per_operator
+            if each != value['runs']:
+                self._refuse(f'condition {condition.name}: runs_per_operator is {each}, the '
+                             f'replicates say {value["runs"]}')
+        return value['operators'], value['runs']
+
+    def _pairs(self, pairs: Any, names: list[str]) -> tuple[tuple[str, str], ...]:
+        if pairs is None:
+            return tuple((name, names[0]) for name in names[1:])
+        if not isinstance(pairs, list) or not all(isinstance(p, list) and len(p) == 2
+                                                  for p in pairs):
+            self._refuse('compare must be a list of pairs of conditions')
+        for name in itertools.chain(*pairs):
+            self._known('compare', name, names)
+        return tuple((a, b) for a, b in pairs)
+
+    def _texts(self, key: str, texts: Any, names: list[str]) -> dict[str, str]:
+        if texts is None:
+            return {}
+        if not isinstance(texts, dict):
+            self._refuse(f'{key} must map conditions to words')
+        for name in texts:
+            self._known(key, name, names)
+        return {name: str(words) for name, words in texts.items()}
+
+    def _reference(self, rows: Any, names: list[str]) -> dict[str, dict]:
+        if rows is None:
+            return {}
+        for label, row in rows.items() if isinstance(rows, dict) else [('', None)]:
+            if not isinstance(row, dict) or not {'runs', 'successes'} <= set(row):
+                self._refuse(f'reference {label} must have runs and successes')
+            if 'condition' in row:
+                self._known('reference', row['condition'], names)
+        return {str(label): row for label, row in rows.items()}
+
+    def _figures(self, wanted: Any) -> tuple[str, ...]:
+        from rvd_campaign.campaign.figures import FIGURES
+        for name in wanted if isinstance(wanted, list) else [wanted]:
+            if name not in FIGURES:
+                self._refuse(f'unknown figure {name}' + nearest(str(name), FIGURES))
+        return tuple(wanted)
+
+    def _notes(self, notes: Any) -> tuple[str, ...]:
+        if not isinstance(notes, list):
+            self._refuse('notes must be a list of sentences')
+        return tuple(str(note) for note in notes)
+
+    def _known(self, key: str, name: Any, names: list[str]) -> None:
+        if name not in names:
+            self._refuse(f'{key}: no condition {name!r}' + nearest(str(name), names))
+
+
+class _Cells:
+    """The cells of a grid, without making them all at once."""
+
+    def __init__(self, axes: dict[str, list[tuple[Any, Any]]]) -> None:
+        self._axes = axes
+        self.count = math.prod(len(values) for values in axes.values())
+
+    def __iter__(self) -> Iterator[dict[str, tuple[Any, Any]]]:
+        for values in itertools.product(*self._axes.values()):
+            yield dict(zip(self._axes, values))
+
+    def short(self, axis: str) -> str:
+        """Return the last word of an axis, where that is enough to tell it from the others."""
+        last = axis.rsplit('.', 1)[-1]
+        return last if sum(a.rsplit('.', 1)[-1] == last for a in self._axes) == 1 else axis
+
+
+def _legs(loop_delay_s: Any, step_s: float) -> dict[str, float]:
+    """Split a loop delay evenly; the back leg takes the odd step."""
+    if isinstance(loop_delay_s, bool) or not isinstance(loop_delay_s, (int, float)) \
+            or not 0.0 <= loop_delay_s <= 3600.0:
+        raise ScenarioError(f'loop_delay_s must be between 0 and 3600, got {loop_delay_s}')
+    steps = round(loop_delay_s / step_s)
+    if abs(steps*step_s - loop_delay_s) > 1e-9:
+        below = int(loop_delay_s / step_s)
+        raise ScenarioError(
+            f'loop_delay_s must be a whole number of steps of {step_s:g} s, got '
+            f'{loop_delay_s:g}: the two nearest are {below*step_s:g} and {(below + 1)*step_s:g}')
+    return {'forward_delay_s': steps//2 * step_s, 'back_delay_s': (steps - steps//2) * step_s}
+
+
+def _dunder(flat: dict[str, Any]) -> dict[str, Any]:
+    return {key.replace('.', '__'): value for key, value in flat.items()}
+
+
+def _bare(error: ValueError) -> str:
+    """Return the words of a refusal without the name of the base scenario."""
+    return re.sub(r'^scenario [^:]*: ', '', str(error))
+
+
+def _shown(value: Any) -> str:
+    return f'{value:g}' if isinstance(value, float) else str(value)
+
+
+def _title(text: str) -> str:
+    first = text.splitlines()[0] if text else ''
+    return first.lstrip('# ').strip() if first.startswith('#') else ''

@@ -1,0 +1,131 @@
+"""
+Intervals for what a campaign counts and averages. All are 95 % unless `z` says otherwise.
+
+Proportions     E. B. Wilson, J. Am. Stat. Assoc. 22, 1927, 209-212: the score interval, which
+                neither leaves 0..1 nor collapses where every run succeeds.
+Differences     R. G. Newcombe, Stat. Med. 17, 1998: of independent proportions pp. 873-890,
+                method 10; of paired ones pp. 2635-2650, method 10, with its correction of phi.
+                Conditions of a campaign share their random draws run by run, so they are paired.
+Means           normal approximation; runs are counted in hundreds and more.
+"""
+
+from math import comb, sqrt
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+Z95 = 1.959963984540054                 # 97.5 % point of the standard normal
+
+
+class Interval(NamedTuple):
+    """A range that covers the true value in 95 of 100 experiments."""
+
+    low: float
+    high: float
+
+
+class Paired(NamedTuple):
+    """Two conditions flown with the same draws."""
+
+    both: int
+    only_a: int
+    only_b: int
+    neither: int
+
+    @property
+    def runs(self) -> int:
+        """Runs that both conditions have."""
+        return self.both + self.only_a + self.only_b + self.neither
+
+    @property
+    def difference(self) -> float:
+        """Success rate of a minus that of b."""
+        return (self.only_a - self.only_b) / self.runs
+
+
+def wilson(successes: int, runs: int, z: float = Z95) -> Interval:
+    """
+    Return the score interval of a proportion.
+
+    Raises
+    ------
+    ValueError
+        If there are no runs, or more successes than runs.
+    """
+    if not 0 <= successes <= runs or runs < 1:
+        raise ValueError(f'successes must be 0 to runs, runs at least 1, got {successes} of {runs}')
+    p, zz = successes / runs, z*z / runs
+    middle = (p + zz/2) / (1 + zz)
+    half = z / (1 + zz) * sqrt(p*(1 - p)/runs + zz/(4*runs))
+    # At the ends the formula is exact but its rounding is not.
+    return Interval(0.0 if successes == 0 else middle - half,
+                    1.0 if successes == runs else middle + half)
+
+
+def newcombe(successes_a: int, runs_a: int, successes_b: int, runs_b: int,
+             z: float = Z95) -> Interval:
+    """Return the interval of the difference a - b of independent proportions (method 10)."""
+    return _combined(successes_a/runs_a, wilson(successes_a, runs_a, z),
+                     successes_b/runs_b, wilson(successes_b, runs_b, z), 0.0)
+
+
+def pair(a: ArrayLike, b: ArrayLike) -> Paired:
+    """Count successes of two conditions, run by run, shapes (runs,)."""
+    a, b = np.asarray(a, dtype=bool), np.asarray(b, dtype=bool)
+    if a.shape != b.shape:
+        raise ValueError(f'paired conditions must have the same runs, got {a.size} and {b.size}')
+    return Paired(int((a & b).sum()), int((a & ~b).sum()), int((~a & b).sum()),
+                  int((~a & ~b).sum()))
+
+
+def newcombe_paired(table: Paired, z: float = Z95) -> Interval:
+    """Return the interval of the difference a - b of paired proportions (method 10)."""
+    n = table.runs
+    a, b = table.both + table.only_a, table.both + table.only_b
+    return _combined(a/n, wilson(a, n, z), b/n, wilson(b, n, z), _phi(table))
+
+
+def _phi(table: Paired) -> float:
+    """Return the correlation of both outcomes, corrected for continuity where positive."""
+    e, f, g, h = table.both, table.only_a, table.only_b, table.neither
+    spread = (e + f) * (g + h) * (e + g) * (f + h)
+    if spread == 0:
+        return 0.0
+    excess = e*h - f*g
+    if excess > 0:
+        excess = max(excess - table.runs/2, 0)
+    return excess / sqrt(spread)
+
+
+def _combined(a: float, of_a: Interval, b: float, of_b: Interval, phi: float) -> Interval:
+    below_a, above_a = a - of_a.low, of_a.high - a
+    below_b, above_b = b - of_b.low, of_b.high - b
+    down = below_a*below_a - 2*phi*below_a*above_b + above_b*above_b
+    up = above_a*above_a - 2*phi*above_a*below_b + below_b*below_b
+    return Interval(a - b - sqrt(max(down, 0.0)), a - b + sqrt(max(up, 0.0)))
+
+
+def sign_test(table: Paired) -> float:
+    """
+    Return the two-sided p of the exact test that a and b succeed equally often.
+
+    McNemar's test on the runs that differ; the normal approximation beyond 1,000 of them.
+    """
+    n, k = table.only_a + table.only_b, min(table.only_a, table.only_b)
+    if n == 0:
+        return 1.0
+    if n > 1000:
+        from scipy.special import ndtr
+        return float(min(1.0, 2*ndtr((k + 0.5 - n/2) / sqrt(n/4))))
+    return min(1.0, 2*sum(comb(n, i) for i in range(k + 1)) / 2**n)
+
+
+def mean(values: ArrayLike) -> tuple[float, float]:
+    """Return mean and standard error of the known values; NaN where there are too few."""
+    values = np.asarray(values, dtype=float)
+    values = values[~np.isnan(values)]
+    if values.size == 0:
+        return float('nan'), float('nan')
+    error = float(values.std(ddof=1) / sqrt(values.size)) if values.size > 1 else float('nan')
+    return float(values.mean()), error
