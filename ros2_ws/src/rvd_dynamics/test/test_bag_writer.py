@@ -36,6 +36,7 @@ COMMAND, FRAME, TEXT = '/ground/command', '/ground/uplink', '/run/scenario'
 TOPICS = {COMMAND: 'rvd_interfaces/msg/ThrustCommand', FRAME: 'rvd_interfaces/msg/LinkFrame',
           TEXT: 'std_msgs/msg/String'}
 QOS = qos_words(2000, True, True)
+WORTH = {TEXT: 0, COMMAND: 1, FRAME: 2}
 
 
 def command(step: int) -> ThrustCommand:
@@ -162,7 +163,7 @@ def test_reference_library_finds_index_profile_and_metadata(tmp_path):
         assert summary.statistics.message_count == len(messages)
         assert len(summary.chunk_indexes) > 1
         assert all(c.message_index_length > 0 for c in summary.chunk_indexes)
-        late = list(reader.iter_messages(topics=[COMMAND], start_time=1990 * STEP_NS))
+        late = list(reader.iter_messages(topics=[COMMAND], starting_at=1990 * STEP_NS))
         assert [m.data for _, _, m in late] == [serialize_message(command(k))
                                                 for k in range(1990, 2000)]
         notes = {m.name: m.metadata for m in reader.iter_metadata()}
@@ -299,9 +300,9 @@ class SmallDisk:
         return written
 
 
-def test_full_disk_costs_what_is_not_essential_and_every_loss_is_counted(tmp_path, monkeypatch):
+def test_full_disk_costs_what_is_worth_least_and_every_loss_is_counted(tmp_path, monkeypatch):
     """R1: whole records up to the limit, one complaint, commands go on when there is room."""
-    bag = BagWriter(tmp_path / 'bag', essential=lambda topic: topic == COMMAND)
+    bag = BagWriter(tmp_path / 'bag', worth=WORTH.get)
     for topic, kind in TOPICS.items():
         bag.add_topic(topic, kind, QOS)
     messages = published(200)
@@ -317,7 +318,7 @@ def test_full_disk_costs_what_is_not_essential_and_every_loss_is_counted(tmp_pat
     bag.close()
     found = stored(bag.path)
     assert found == taken
-    assert {t for t, _, _ in taken[-40:]} == {COMMAND}          # bulk stays off
+    assert {t for t, _, _ in taken[-40:]} == {COMMAND, FRAME}       # once off, off
     assert sum(bag.lost.values()) + len(found) == len(messages)
     notes = {r.name: r.metadata for r in mcap_file.records(bag.path) if hasattr(r, 'metadata')
              and hasattr(r, 'name')}
@@ -325,18 +326,25 @@ def test_full_disk_costs_what_is_not_essential_and_every_loss_is_counted(tmp_pat
     assert notes['rvd_recording']['trouble'] == bag.trouble
 
 
-def test_a_disk_that_is_nearly_full_is_left_to_the_essential_topics(tmp_path, monkeypatch):
-    bag = BagWriter(tmp_path / 'bag', essential=lambda topic: topic == COMMAND)
+def test_a_disk_that_is_nearly_full_is_left_to_what_is_worth_it(tmp_path, monkeypatch):
+    free = 40_000
+    monkeypatch.setattr(bag_writer, '_free', lambda directory: free)
+    bag = BagWriter(tmp_path / 'bag', worth=WORTH.get)
     for topic, kind in TOPICS.items():
         bag.add_topic(topic, kind, QOS)
-    monkeypatch.setattr(bag_writer, '_free', lambda directory: 1024)
-    big = serialize_message(String(data='x' * bag_writer.LOOK_EVERY_BYTES))
-    assert bag.write(TEXT, big, 0, 0)
-    assert not bag.write(TEXT, big, 0, 0)
-    assert bag.write(COMMAND, serialize_message(command(0)), 0, 0)
-    assert '1 KiB left' in bag.trouble and bag.lost == {TEXT: 1}
+    some, one = serialize_message(String(data='x' * 1000)), serialize_message(command(0))
+    assert bag.write(TEXT, some, 0, 0) and not bag.trouble
+    free = 9_000                                # below a quarter of what there was
+    assert bag.write(TEXT, some, 0, 0)          # the look comes after it
+    assert not bag.write(TEXT, some, 0, 0) and bag.write(COMMAND, one, 0, 0)
+    assert bag.trouble.startswith('only 8 KiB left on the disk')
+    free = 2_000
+    while bag.write(COMMAND, one, 0, 0):
+        assert bag.lost[COMMAND] == 0
+    assert bag.lost == {TEXT: 1, COMMAND: 1}
+    assert bag.write(FRAME, serialize_message(frame(0)), 0, 0)
     bag.close()
-    assert len(stored(bag.path)) == 2
+    assert isinstance(list(mcap_file.records(bag.path))[-1], Footer)
 
 
 def test_a_message_costs_less_than_60_microseconds(tmp_path):

@@ -40,14 +40,14 @@ DRAIN_PERIOD_S = 0.1            # [s] wall time between two looks whether all ha
 SILENCE_S = 2.0                 # [s] wall time without a message of a step: no more will come
 GRACE_S = 0.2                   # [s] wall time for events and the like after the last step
 NOTE_MISSING = 'rvd_missing'    # metadata record: topic -> steps that never came
-# What a nearly full disk is kept for: commands, sticks, faults and the story of the run.
-ESSENTIAL = ('/joy', '/ground/command', '/ground/uplink', '/onboard/command',
-             '/onboard/thruster_command')
+# What a nearly full disk is kept for, besides the story of the run in /run/*.
+COMMANDS = ('/joy', '/ground/command', '/ground/uplink', '/onboard/command',
+            '/onboard/thruster_command')
 
 
-def essential(topic: str) -> bool:
-    """Say whether `topic` is worth the last of a full disk."""
-    return topic in ESSENTIAL or topic.startswith('/run/')
+def worth(topic: str) -> int:
+    """Say what `topic` is worth on a disk that is nearly full: 2 to the last, 1 longer than 0."""
+    return 2 if topic.startswith('/run/') else int(topic in COMMANDS)
 
 
 class BagRecorder(WatchNode):
@@ -76,7 +76,7 @@ class BagRecorder(WatchNode):
     def _open(directory: str) -> BagWriter:
         require(bool(directory), 'bag_dir', 'name a directory', repr(directory))
         try:
-            return BagWriter(Path(directory), essential)
+            return BagWriter(Path(directory), worth)
         except OSError as error:
             raise ValueError(f'bag_dir {directory}: {error.strerror}') from None
 

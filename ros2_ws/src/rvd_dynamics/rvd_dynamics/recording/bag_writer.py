@@ -5,7 +5,7 @@ Layout      DIRECTORY/metadata.yaml, written when the bag is opened and again wh
             DIRECTORY/NAME_0.mcap, NAME being the directory's name as rosbag2 has it
 Kill -9     every message that `write` took is in the file, which then lacks its end and its
             index; `repair` adds both
-Full disk   messages of topics that are not essential are given up first, while there is still
+Full disk   messages of topics that are worth less are given up first, while there is still
             room for the others; each one that is not stored is counted
 Times       `log_ns` is what readers sort by and what playback follows; the recorder puts
             simulation time there and wall time into `publish_ns`
@@ -23,8 +23,9 @@ from rvd_dynamics.recording import mcap_file
 from rvd_dynamics.recording.definitions import schema_text, type_hash
 from rvd_dynamics.recording.rosbag2 import Contents, Topic, dump, write_metadata
 
-RESERVE_BYTES = 64 * 1024 * 1024                # [B] kept free for essential topics
-LOOK_EVERY_BYTES = 256 * 1024                   # [B] written between two looks at the disk
+RESERVE_BYTES = 64 * 1024 * 1024                # [B] kept free for what is worth 1, and the last
+                                                # quarter of it for what is worth 2
+LOOK_EVERY_BYTES = 64 * 1024                    # [B] written between two looks at the disk
 NOTE_RECORDING = 'rvd_recording'                # metadata record: closed, trouble
 NOTE_LOST = 'rvd_lost'                          # metadata record: topic -> messages not stored
 
@@ -37,8 +38,8 @@ class BagWriter:
     ----------
     directory : Path
         The bag; must not exist or be empty.
-    essential : callable
-        Says of a topic whether it is worth the last of the disk.
+    worth : callable
+        Says of a topic what it is worth when the disk is nearly full: 0, 1 or 2.
 
     Raises
     ------
@@ -48,8 +49,7 @@ class BagWriter:
         If it cannot be written.
     """
 
-    def __init__(self, directory: Path, essential: Callable[[str], bool] = lambda topic: True
-                 ) -> None:
+    def __init__(self, directory: Path, worth: Callable[[str], int] = lambda topic: 2) -> None:
         directory.mkdir(parents=True, exist_ok=True)
         if any(directory.iterdir()):
             raise ValueError(f'bag directory {directory} is not empty')
@@ -58,13 +58,14 @@ class BagWriter:
         self.contents = Contents()
         self.lost: Counter[str] = Counter()
         self.trouble = ''                       # first thing that went wrong, one sentence
-        self._essential = essential
+        self._worth = worth
         self._file = mcap_file.GrowingFile(self.path)
         self._schemas: dict[str, int] = {}
-        self._channels: dict[str, tuple[int, Topic]] = {}
-        self._only_essential = False
+        self._channels: dict[str, tuple[int, Topic, int]] = {}
+        self._least = 0                         # worth that is still stored
         self._reserve = min(RESERVE_BYTES, _free(directory) // 4)
-        self._look_at = LOOK_EVERY_BYTES
+        self._look_every = min(LOOK_EVERY_BYTES, self._reserve // 16)
+        self._look_at = 0
         self.describe()
 
     def add_topic(self, topic: str, kind: str, qos: list[dict[str, Any]]) -> None:
@@ -93,16 +94,16 @@ class BagWriter:
             self._failed(error)
             return
         self._schemas[kind] = schema
-        self._channels[topic] = (channel.id, entry)
+        self._channels[topic] = (channel.id, entry, self._worth(topic))
         self.contents.topics[topic] = entry
 
     def write(self, topic: str, data: bytes, log_ns: int, publish_ns: int, sequence: int = 0
               ) -> bool:
         """Store one serialised message; False if it had to be given up (and was counted)."""
-        if topic not in self._channels or (self._only_essential and not self._essential(topic)):
+        channel, entry, worth = self._channels.get(topic, (0, None, -1))
+        if worth < self._least:
             self.lost[topic] += 1
             return False
-        channel, entry = self._channels[topic]
         try:
             self._file.append_message(channel, sequence, log_ns, publish_ns, data)
         except OSError as error:
@@ -115,20 +116,20 @@ class BagWriter:
         return True
 
     def _look(self) -> None:
-        """Leave the rest of a disk that is nearly full to the essential topics."""
-        self._look_at = self._file.size + LOOK_EVERY_BYTES
+        """Leave what is left of the disk to the topics that are worth it."""
+        self._look_at = self._file.size + self._look_every
         free = _free(self.directory)
-        if free < self._reserve and not self._only_essential:
-            self._only_essential = True
+        if free < self._reserve:
+            self._least = 1 if free > self._reserve // 4 else 2
             self._complain(f'only {free // 1024} KiB left on the disk')
 
     def _failed(self, error: OSError) -> None:
-        self._only_essential = True
+        self._least = max(self._least, 1)
         self._complain(f'cannot write {self.path.name}: {error.strerror}')
 
     def _complain(self, what: str) -> None:
         if not self.trouble:
-            self.trouble = f'{what}: keeping essential topics only, as far as they fit'
+            self.trouble = f'{what}: keeping commands and the story of the run, as far as they fit'
 
     def describe(self) -> None:
         """Write `metadata.yaml` for what the bag holds now."""

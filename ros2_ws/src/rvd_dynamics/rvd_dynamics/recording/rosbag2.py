@@ -101,5 +101,8 @@ class _Plain(yaml.SafeDumper):
 def write_metadata(directory: Path, text: str) -> None:
     """Put `metadata.yaml` into the bag, whole or not at all; `text` is what `dump` returned."""
     part = directory / 'metadata.yaml.part'
-    part.write_text('rosbag2_bagfile_information:\n' + indent(text, '  '))
-    part.replace(directory / 'metadata.yaml')
+    try:
+        part.write_text('rosbag2_bagfile_information:\n' + indent(text, '  '))
+        part.replace(directory / 'metadata.yaml')
+    finally:
+        part.unlink(missing_ok=True)
