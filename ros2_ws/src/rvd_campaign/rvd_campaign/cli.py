@@ -51,22 +51,32 @@ def _add_fly(commands: argparse._SubParsersAction) -> None:
         description='Bring the node graph up, fly one approach, print the verdict, leave a run '
                     'folder with bag/, verdict.json, scenario.yaml, report.html and logs/.',
         epilog='Exit codes: 0 docked, 1 flown and failed, 2 could not run, 130 Ctrl-C.')
-    fly.add_argument('scenario', nargs='?', default='paper', metavar='SCENARIO',
-                     help='name in `rvd list scenarios` or a file (default: paper)')
+    fly.add_argument('scenario', nargs='?', metavar='SCENARIO',
+                     help='name in `rvd list scenarios` or a file (default: paper; with '
+                          '--operator console: hand)')
     fly.add_argument('--mode', choices=('shared', 'manual', 'auto'),
                      help='who decides (default: the scenario, else shared)')
-    fly.add_argument('--operator', choices=('model', 'replay', 'joy', 'none'),
+    fly.add_argument('--operator', choices=('model', 'replay', 'console', 'joy', 'none'),
                      help='the pilot (default: the scenario, else model)')
     fly.add_argument('--tape', metavar='FILE',
                      help='with --operator replay: name in `rvd list tapes`, CSV file or bag')
-    fly.add_argument('--pace', metavar='lockstep|realtime|FACTOR', default='10',
+    fly.add_argument('--pace', metavar='lockstep|realtime|FACTOR',
                      help='lockstep: as fast as it goes; realtime; or FACTOR times real time '
-                          '(default: 10)')
+                          '(default: 10; for a person at a stick realtime)')
     fly.add_argument('--seed', type=int, metavar='N', help='seed of every random stream')
     fly.add_argument('--out', metavar='DIR',
                      help='run folder, must not exist (default: runs/<time>-<scenario>)')
     fly.add_argument('--headless', action='store_true',
                      help='no live progress and no markers for viewers')
+    console = fly.add_argument_group('with --operator console')
+    console.add_argument('--port', type=int, default=8480, metavar='N',
+                         help='port of the page (default: 8480; 0: any free one)')
+    console.add_argument('--bind', default='127.0.0.1', metavar='ADDRESS',
+                         help='address of the page; any but 127.0.0.1 needs TLS')
+    console.add_argument('--tls-cert', default='', metavar='FILE', help='TLS certificate')
+    console.add_argument('--tls-key', default='', metavar='FILE', help='its key')
+    console.add_argument('--session', metavar='FILE',
+                         help='lead a volunteer through the flights of a session file')
     fly.set_defaults(run=_fly)
 
 

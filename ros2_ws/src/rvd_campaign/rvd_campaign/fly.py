@@ -9,6 +9,7 @@ import signal
 import sys
 import time
 from pathlib import Path
+from typing import Callable
 
 from rvd_campaign import catalogue, verdict
 from rvd_campaign.domain import reserved_domain
@@ -25,7 +26,14 @@ RECORDER_LEAD = 64              # [steps] see spacecraft_dynamics
 
 def main(args: argparse.Namespace) -> int:
     """Fly one approach as the command line asks; return the exit code."""
+    if args.pace is None:                       # a person flies in real time
+        args.pace = 'realtime' if args.operator in ('console', 'joy') else '10'
+    if args.scenario is None:
+        args.scenario = 'hand' if args.operator == 'console' else 'paper'
     scenario = chosen(args)
+    if scenario.mission.operator == 'console':
+        from rvd_campaign import console
+        return console.main(args, scenario)
     run_dir = new_folder(args.out, scenario.name)
     (run_dir / 'scenario.yaml').write_text(scenario.dump(), encoding='utf-8')
     signal.signal(signal.SIGTERM, lambda *_: signal.raise_signal(signal.SIGINT))
@@ -97,11 +105,13 @@ def new_folder(out: str | None, name: str) -> Path:
 class Flight:
     """One run under supervision."""
 
-    def __init__(self, scenario: Scenario, run_dir: Path, domain: int, headless: bool) -> None:
+    def __init__(self, scenario: Scenario, run_dir: Path, domain: int, headless: bool,
+                 stop_asked: Callable[[], bool] = lambda: False) -> None:
         self._scenario = scenario
         self._mission = scenario.mission
         self._run_dir = run_dir
         self._headless = headless
+        self._stop_asked = stop_asked
         self._supervisor = Supervisor(catalogue.root() / 'scripts' / 'bringup.sh',
                                       run_dir / 'scenario.yaml', run_dir, headless, domain)
         from rvd_campaign.watch import FlightWatch      # imports ROS while the nodes do, too
@@ -141,6 +151,8 @@ class Flight:
         while True:
             self._watch.spin(SHOW_S if self._watch.steps else 0.05)
             self._show()
+            if self._stop_asked():
+                raise KeyboardInterrupt
             failures = self._supervisor.failures()
             if failures:
                 return self._why(failures)
