@@ -72,7 +72,7 @@ class Server:
         app = web.Application(middlewares=[self._guard], client_max_size=MAX_FRAME)
         app.add_routes([
             web.get('/', self._page), web.get('/ws', self._socket),
-            web.get('/api/runs', self._list), web.get('/api/runs/{name}', self._run)])
+            web.get('/api/runs', self._list), web.get('/api/runs/{name:.+}', self._run)])
         app.router.add_static('/assets', STATIC / 'assets')
         self._runner = web.AppRunner(app, access_log=None, keepalive_timeout=15.0,
                                      shutdown_timeout=0.5)

@@ -44,6 +44,7 @@ class ConsoleNode(WatchNode):
         self._joy = self.writer('/joy', Joy)
         self._control = self.create_client(RunControl, '/run/control')
         self._command_at = time.monotonic()
+        self._stamp_ns = -1                     # of the last Joy; -1: not ready yet
         for topic in NEWEST:
             self.watch(topic, KINDS[topic], self._keeper(topic), raw=True)
         self.watch('/ground/telemetry', LinkFrame, self._on_telemetry)
@@ -145,15 +146,30 @@ class ConsoleNode(WatchNode):
             buttons[-1] = int(stick.held)
         elif not stick.held:                    # no dead-man button to open: say nothing
             return [0, 0, 0]
-        self._joy.publish(Joy(header=header_at(self._now_ns(), f'console {stick.sequence}'),
-                              axes=axes, buttons=buttons))
+        if self._stamp_ns >= 0 or not stick.held:
+            self._joy.publish(Joy(header=header_at(self._next_stamp(),
+                                                   f'console {stick.sequence}'),
+                                  axes=axes, buttons=buttons))
         return stick_levels(axes, buttons, s)[0].tolist()
 
-    def _now_ns(self) -> int:
-        """Return the simulation instant: the last step and the wall time since, up to a step."""
+    def _next_stamp(self) -> int:
+        """
+        Return the simulation instant: the last step and the wall time since, up to a step.
+
+        Stamps rise from 0, so that the recorded stick is a tape with the run's own time.
+        """
         m = self.mission
-        since = (time.monotonic() - self._command_at) * m.pace_factor / m.step_s
-        return int((max(self.step, 0) + min(max(since, 0.0), 0.999)) * m.step_ns)
+        if self._stamp_ns < 0:
+            self._stamp_ns = 0
+        else:
+            since = (time.monotonic() - self._command_at) * m.pace_factor / m.step_s
+            now = int((max(self.step, 0) + min(max(since, 0.0), 0.999)) * m.step_ns)
+            self._stamp_ns = max(now, self._stamp_ns + 1)
+        return self._stamp_ns
+
+    def on_ready(self) -> None:
+        """Open the tape: nobody has the stick at 0."""
+        self.joy(Stick(False, 0, (0.0, 0.0, 0.0)))
 
     def control(self, action: str, mode: str, reply: Callable[[bool, str], None]) -> None:
         """Call /run/control without waiting for the answer."""

@@ -1,0 +1,5 @@
+export class Desk {
+  constructor(link) { this.link = link; }
+  show() {}
+  lease() {}
+}

@@ -1,0 +1,4 @@
+export class Review {
+  constructor() { this.on = false; }
+  list() {}
+}
