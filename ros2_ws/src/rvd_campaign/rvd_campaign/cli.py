@@ -191,4 +191,6 @@ def _bench(args: argparse.Namespace) -> int:
 
 
 if __name__ == '__main__':
-    sys.exit(main())
+    from rvd_campaign import cli                # one CannotRun: not __main__'s own copy
+
+    sys.exit(cli.main())

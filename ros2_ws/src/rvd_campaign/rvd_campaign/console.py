@@ -10,6 +10,7 @@ import argparse
 import json
 import os
 import queue
+import signal
 import subprocess
 import sys
 import tempfile
@@ -122,6 +123,8 @@ def main(args: argparse.Namespace, scenario: Scenario) -> int:
             raise CannotRun('--session needs --out DIR, the folder of all its volunteers')
         runs = Path(args.out)
     runs.mkdir(parents=True, exist_ok=True)
+    for number in (signal.SIGTERM, signal.SIGINT):
+        signal.signal(number, _interrupt)
     with reserved_domain() as domain, tempfile.TemporaryDirectory(prefix='rvd-') as folder:
         page = ConsoleProcess(args, runs, Path(folder), domain)
         os.environ['RVD_CONSOLE'] = str(page.socket)
@@ -130,6 +133,10 @@ def main(args: argparse.Namespace, scenario: Scenario) -> int:
             return _serve(page, args, scenario, runs, domain)
         finally:
             page.stop()
+
+
+def _interrupt(*_: Any) -> None:
+    raise KeyboardInterrupt
 
 
 def _serve(page: ConsoleProcess, args: argparse.Namespace, scenario: Scenario, runs: Path,

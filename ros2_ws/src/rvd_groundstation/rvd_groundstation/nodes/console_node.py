@@ -2,6 +2,7 @@
 The console's node of one run: decodes what the page is shown, publishes the stick.
 """
 
+import threading
 import time
 from typing import Callable
 
@@ -45,6 +46,8 @@ class ConsoleNode(WatchNode):
         self._control = self.create_client(RunControl, '/run/control')
         self._command_at = time.monotonic()
         self._stamp_ns = -1                     # of the last Joy; -1: not ready yet
+        self._gate = threading.Lock()           # the page's thread publishes, ours ends the node
+        self._left = False
         for topic in NEWEST:
             self.watch(topic, KINDS[topic], self._keeper(topic), raw=True)
         self.watch('/ground/telemetry', LinkFrame, self._on_telemetry)
@@ -146,10 +149,11 @@ class ConsoleNode(WatchNode):
             buttons[-1] = int(stick.held)
         elif not stick.held:                    # no dead-man button to open: say nothing
             return [0, 0, 0]
-        if self._stamp_ns >= 0 or not stick.held:
-            self._joy.publish(Joy(header=header_at(self._next_stamp(),
-                                                   f'console {stick.sequence}'),
-                                  axes=axes, buttons=buttons))
+        with self._gate:
+            if not self._left and (self._stamp_ns >= 0 or not stick.held):
+                self._joy.publish(Joy(header=header_at(self._next_stamp(),
+                                                       f'console {stick.sequence}'),
+                                      axes=axes, buttons=buttons))
         return stick_levels(axes, buttons, s)[0].tolist()
 
     def _next_stamp(self) -> int:
@@ -171,8 +175,22 @@ class ConsoleNode(WatchNode):
         """Open the tape: nobody has the stick at 0."""
         self.joy(Stick(False, 0, (0.0, 0.0, 0.0)))
 
+    def event(self, code: str, text: str) -> None:
+        """Say on /run/events that something happened, as long as there is a run."""
+        with self._gate:
+            if not self._left:
+                super().event(code, text)
+
+    def leave(self) -> None:
+        """Be told that the node is about to end: what the page wants now goes nowhere."""
+        with self._gate:
+            self._left = True
+
     def control(self, action: str, mode: str, reply: Callable[[bool, str], None]) -> None:
         """Call /run/control without waiting for the answer."""
+        if self._left:
+            reply(False, 'the run has ended')
+            return
         future = self._control.call_async(RunControl.Request(action=ACTIONS[action], mode=mode))
         future.add_done_callback(lambda f: self._call_soon(
             reply, f.result().accepted, f.result().message))

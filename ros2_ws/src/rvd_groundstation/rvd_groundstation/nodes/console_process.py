@@ -163,6 +163,7 @@ def _spin(hub: Hub, arguments: list[str], stop: threading.Event,
         return 0, ''
     finally:
         if node is not None:
+            node.leave()
             node.close()
             node.destroy_node()
         rclpy.try_shutdown()
