@@ -26,11 +26,10 @@ const ROWS = [
 
 export class Motion {
   constructor() {
-    this.cells = {};
     for (const [key, name, unit] of ROWS) {
       const row = document.querySelector(`[data-row=${key}]`);
-      row.innerHTML = `<span>${name} <u>${unit}</u></span><b class="measured" id="m-${key}"></b><b class="predicted" id="p-${key}"></b><u id="l-${key}"></u>`;
-      this.cells[key] = row.querySelectorAll('b, u:last-child');
+      row.innerHTML = `<span>${name}</span><b class="measured" id="m-${key}"></b><b class="predicted" id="p-${key}"></b><u class="unit">${unit}</u><u id="l-${key}"></u>`;
+      
     }
   }
 

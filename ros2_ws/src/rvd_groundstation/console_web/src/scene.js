@@ -55,6 +55,7 @@ export class Scene {
   setRun(run) {
     if (this.static) this.scene.remove(this.static);
     this.static = new THREE.Group();
+    this.start = run.start;
     this.station = target(run.limits.offset);
     this.static.add(this.station, corridor(run.geometry));
     this.scene.add(this.static);
@@ -126,10 +127,10 @@ export class Scene {
     this.into(rect, lens, this.kind === 'orbit');
     this.label(lens, rect);
     for (const body of bodies) body.scale.set(1, 1, 1);
-    const eye = this.seen && (this.seen.truth || this.seen.measured);
+    const eye = (this.seen && (this.seen.truth || this.seen.measured)) || this.start || [-30, 0, 0];
     const small = camera.getBoundingClientRect();
     if (small.height > 20) {
-      if (eye) this.aim(eye, small);
+      this.aim(eye, small);
       this.into(small, this.dock, true);
     }
   }

@@ -37,7 +37,10 @@ export class Store {
       case 'event': this.events.push(message); break;
       default:
     }
-    if (message.link) this.connected = message.link === 'open';
+    if (message.link) {
+      this.connected = message.link === 'open';
+      if (message.why) this.why = message.why;
+    }
   }
 
   takeFrame(frame) {

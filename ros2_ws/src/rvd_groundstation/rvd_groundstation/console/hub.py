@@ -18,8 +18,8 @@ from rvd_groundstation.console.access import Throttle
 from rvd_groundstation.console.feed import Feed
 from rvd_groundstation.console.lease import Lease
 from rvd_groundstation.console.protocol import (
-    encode, flight_wish, NEEDS_LEASE, PILOT_BURST, PILOT_RATE, Refused, Request, request_of,
-    Stick, stick_of)
+    encode, flight_wish, NEEDS_LEASE, PAGE_BURST, PAGE_RATE, Refused, Request, request_of, Stick,
+    stick_of)
 
 FRAME_S = 1.0 / 30              # [s] wall time: a page gets no more frames than this
 WATCH_S = 0.1                   # [s] likewise, pages that only watch
@@ -48,7 +48,7 @@ class Client:
     number: int
     outbox: Outbox = field(default_factory=Outbox)
     wake: asyncio.Event = field(default_factory=asyncio.Event)
-    throttle: Throttle = field(default_factory=lambda: Throttle(PILOT_RATE, PILOT_BURST))
+    throttle: Throttle = field(default_factory=lambda: Throttle(PAGE_RATE, PAGE_BURST))
     closing: str = ''
 
 

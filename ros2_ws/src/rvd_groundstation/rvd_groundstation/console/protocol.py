@@ -17,8 +17,8 @@ from rvd_dynamics.mission import MODES
 STICK = Struct('<BBHfffd')
 STICK_KIND = 1
 MAX_FRAME = 64 * 1024           # [bytes]
-PILOT_RATE = 60.0               # [1/s] frames a page may send
-PILOT_BURST = 90.0
+PAGE_RATE = 60.0                # [1/s] frames a page may send
+PAGE_BURST = 300.0              # at once: what a page says while this process is held up for 5 s
 
 REQUESTS = ('take', 'drop', 'mode', 'pause', 'resume', 'abort', 'fly', 'stop', 'quit', 'desk',
             'ping')

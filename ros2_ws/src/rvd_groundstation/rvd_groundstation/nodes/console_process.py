@@ -51,6 +51,7 @@ async def _serve_runs(options: argparse.Namespace) -> int:
     hub = Hub(ask=say, desk=desk)
     server = Server(hub, Address(options.bind, options.port, options.tls_cert, options.tls_key),
                     options.runs)
+    from rvd_groundstation.nodes import console_node    # noqa: F401 - now, not in a flight
     url = await server.start()
     runs = await listen(options.socket, lambda words, gone: run_node(hub, words, gone))
     say({'url': url})
