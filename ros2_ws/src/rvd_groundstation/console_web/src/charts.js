@@ -17,7 +17,7 @@ function options(title, width, height, rem) {
       const most = Math.max(Math.abs(low || 0), Math.abs(high || 0), 1);
       return [-most * 1.1, most * 1.1];
     } } },
-    axes: [{ ...axis, size: 1.5 * rem, gap: 1 }, { ...axis, gap: 1, label: title, labelSize: 1.1 * rem,
+    axes: [{ ...axis, size: 1.5 * rem, gap: 1 }, { ...axis, gap: 1, space: 1.5 * rem, label: title, labelSize: 1.1 * rem,
       labelFont: `${0.7 * rem}px system-ui` }],
     series: [{},
       ...['x', 'y', 'z'].map((label, i) => ({ label, stroke: COLOURS[i], width: 1.5, points: { show: false } })),

@@ -68,7 +68,7 @@ export class Motion {
 }
 
 // The corridor cut at the predicted station, seen from behind: z to the right, y up.
-export function bullseye(canvas, run, first, second, sigma, outlook, names) {
+export function bullseye(canvas, run, first, second, sigma, outlook, truth) {
   const { pen, w, h, rem } = begin(canvas);
   const [cx, cy] = [w / 2, h / 2];
   const size = Math.min(w, h) / 2 - 0.9 * rem;
@@ -111,6 +111,11 @@ export function bullseye(canvas, run, first, second, sigma, outlook, names) {
     pen.beginPath(); pen.arc(x, y, r, 0, 7); pen.fill(); pen.stroke();
     const v = 10 * scale; // where it goes in 10 s
     pen.beginPath(); pen.moveTo(x, y); pen.lineTo(x + second[5] * v, y - second[4] * v); pen.stroke();
+  }
+  if (truth) {
+    const [x, y] = spot(truth);
+    pen.strokeStyle = COLOUR.truth;
+    cross(pen, x, y, rem * 0.3);
   }
   $('section-at').textContent = fill(S.section_at, { x: number(station, 1) });
 }

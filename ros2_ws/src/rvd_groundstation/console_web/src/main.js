@@ -56,13 +56,13 @@ function take(message) {
     showStatus();
     desk.lease(message.lease === 'you');
   }
-  if (message.type === 'verdict' && shownVerdict !== message && !review.on && !store.can.desk) {
+  if (message.type === 'verdict' && store.frame && shownVerdict !== message && !review.on && !store.can.desk) {
     shownVerdict = message;
     dialogs.verdict(message, store.can.fly && store.status.lease === 'you', () => newRun());
   }
   if (message.type === 'event') $('event').textContent = `${number(message.t, 1)} s · ${message.text}`;
   if (message.type === 'reply' && !message.ok) $('event').textContent = message.code ? dialogs.refused(message.code) : message.text;
-  if (message.link) showStatus();
+  if (!message.type) showStatus();
 }
 
 function refreshRun() {

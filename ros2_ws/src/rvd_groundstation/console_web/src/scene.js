@@ -31,7 +31,7 @@ export class Scene {
     this.truth = ghost(COLOURS.truth);
     for (const body of [this.measured, this.ghost, this.truth]) body.visible = false;
     this.measured.traverse((part) => part.layers.set(BODY));
-    this.truth.traverse((part) => part.layers.set(BODY));
+    for (const body of [this.truth, this.ghost]) body.traverse((part) => part.layers.set(BODY));
     this.tube = new Tube(COLOURS.predicted);
     this.lines = {
       measured: new Path(COLOURS.measured, 800), predicted: new Path(COLOURS.predicted, 200),
@@ -39,12 +39,14 @@ export class Scene {
     };
     this.scene.add(this.measured, this.ghost, this.truth, this.tube.mesh,
       ...Object.values(this.lines).map((path) => path.line));
+    for (const path of Object.values(this.lines)) path.line.layers.set(BODY);
+    this.tube.mesh.layers.set(BODY);
     this.perspective = new THREE.PerspectiveCamera(32, 1, 0.1, 2000);
     this.ortho = new THREE.OrthographicCamera(-1, 1, 1, -1, -100, 200);
     this.dock = new THREE.PerspectiveCamera(20, 1, 0.02, 2000);
     this.dock.up.set(0, 1, 0);
     for (const lens of [this.perspective, this.ortho]) lens.layers.enable(BODY);
-    this.orbit = { azimuth: 2.35, height: 0.34, distance: 30, focus: new THREE.Vector3(-13, 0, 0) };
+    this.orbit = { azimuth: 2.35, height: 0.34, zoom: 1, focus: new THREE.Vector3(-13, 0, 0) };
     this.kind = 'orbit';
     this.marks = new Map();
     this.follow(view);
@@ -96,7 +98,7 @@ export class Scene {
   }
 
   zoom(by) {
-    this.orbit.distance = Math.max(3, Math.min(120, this.orbit.distance * by));
+    this.orbit.zoom = Math.max(0.15, Math.min(4, this.orbit.zoom * by));
   }
 
   // Put the bodies where the content says. `tube` rows [x, y, z, radius].
@@ -139,10 +141,9 @@ export class Scene {
     const aspect = rect.width / Math.max(rect.height, 1);
     if (this.kind === 'orbit') {
       const at = this.seen?.measured || this.seen?.truth;
-      const x = at ? Math.min(-1.5, at[0] * 0.5) : -14;
-      this.orbit.focus.x += (x - this.orbit.focus.x) * 0.08;
       const o = this.orbit;
-      const far = o.distance * Math.max(0.35, Math.min(1, Math.abs(o.focus.x) / 13));
+      o.focus.x += (0.56 * Math.min(-1, at ? at[0] : -30) - o.focus.x) * 0.08; // both stay in view
+      const far = o.zoom * (4 + 2.25 * Math.abs(o.focus.x)) * Math.max(1, 1.45 / aspect);
       const c = Math.cos(o.height);
       this.perspective.position.set(o.focus.x + far * c * Math.cos(o.azimuth),
         o.focus.y + far * Math.sin(o.height), o.focus.z + far * c * Math.sin(o.azimuth));
@@ -199,7 +200,7 @@ export class Scene {
 
   label(lens, rect) {
     const wanted = new Map();
-    for (let x = -35; x < 0; x += 5) wanted.set(`${x} m`, { at: [x, 0, 0], drop: 1 });
+    for (let x = -35; x < 0; x += 5) wanted.set(`−${-x} m`, { at: [x, 0, 0], drop: 1 });
     if (this.seen?.measured) wanted.set(S.measured, { at: this.seen.measured, kind: 'measured craft' });
     if (this.seen?.predicted) wanted.set(S.predicted, { at: this.seen.predicted, kind: 'predicted craft' });
     if (this.seen?.truth) wanted.set(S.truth, { at: this.seen.truth, kind: 'craft' });

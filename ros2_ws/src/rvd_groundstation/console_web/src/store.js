@@ -37,7 +37,7 @@ export class Store {
       case 'event': this.events.push(message); break;
       default:
     }
-    if (message.link) {
+    if (!message.type && message.link) { // from the worker: the socket itself
       this.connected = message.link === 'open';
       if (message.why) this.why = message.why;
     }
@@ -50,7 +50,7 @@ export class Store {
     const { est, pred, score } = frame;
     if (est && pred && pred.ok) {
       const last = this.trail[this.trail.length - 1];
-      if (!last || pred.t > last[0] + this.run.forward_s || this.trail.length < 2) {
+      if (!last || frame.t > last[0]) {
         const sigma = pred.s ? Math.max(pred.s[1], pred.s[2]) : 0.05;
         this.trail.push([frame.t, ...est.x.slice(0, 3), ...pred.x.slice(0, 3), sigma]);
         if (this.trail.length > KEEP) this.trail.shift();

@@ -9,7 +9,7 @@ export const S = {
   instruments: 'Instruments', motion: 'Motion', measured: 'measured', predicted: 'predicted',
   limit: 'limit', truth: 'truth',
   range: 'range', closing: 'closing rate', offset: 'lateral offset', lateral: 'lateral rate',
-  margin: 'corridor margin',
+  margin: 'wall margin',
   section: 'Corridor section', section_alt: 'Cross-section of the corridor with measured and predicted position',
   leave: 'drifting out in', leave_never: 'stays inside', leave_out: 'OUTSIDE',
   thrust: 'Thrust levels', pilot: 'pilot', auto: 'automatic', sent: 'sent', weight: 'pilot weight',
@@ -58,6 +58,33 @@ export const S = {
   help_title: 'Keys',
   review_truth: 'Review shows the truth. It never reaches this page while a run is flown.',
   unknown: '–',
+  desk: {
+    door: 'Which volunteer? Enter the number you were given; no name is asked or kept.', volunteer: 'volunteer number', begin: 'Begin',
+    heading: '{who}, flight {n} of {of}', training: 'Training: this flight does not count.', counts: 'This flight counts.',
+    condition: 'Control: {mode}', hint: 'Dock inside the green circle, slower than the limits. The clock starts when the graph is up.', fly: 'Start the flight',
+    rest_title: 'A break', rest: 'Rest your eyes and hands.', go_on: 'Go on', done_title: 'Finished', done: 'Thank you, {who}. All flights are flown and rated.', next: 'Next volunteer',
+    yes: 'Yes', no: 'No', again: 'Answer again', pick: 'Pick the sentence that fits best.', save: 'Save the ratings',
+    tree: {
+      controllable: 'Was the craft controllable?',
+      adequate: 'Was adequate performance (docking within the limits) attainable with a tolerable pilot workload?',
+      satisfactory: 'Was it satisfactory without improvement?',
+    },
+    ratings: ['', 'Excellent, highly desirable: compensation not a factor', 'Good, negligible deficiencies: compensation not a factor',
+      'Fair, some mildly unpleasant deficiencies: minimal compensation', 'Minor but annoying deficiencies: moderate compensation',
+      'Moderately objectionable deficiencies: considerable compensation', 'Very objectionable but tolerable deficiencies: extensive compensation',
+      'Major deficiencies: adequate performance not attainable with maximum tolerable compensation',
+      'Major deficiencies: considerable compensation needed for control', 'Major deficiencies: intense compensation needed to retain control',
+      'Major deficiencies: control lost during some part of the flight'],
+    tlx: {
+      mental: ['Mental demand', 'How mentally demanding was the flight?', 'very low', 'very high'],
+      physical: ['Physical demand', 'How physically demanding was the flight?', 'very low', 'very high'],
+      temporal: ['Temporal demand', 'How hurried or rushed was the pace?', 'very low', 'very high'],
+      performance: ['Performance', 'How successful were you in doing what you were asked to do?', 'perfect', 'failure'],
+      effort: ['Effort', 'How hard did you have to work for your level of performance?', 'very low', 'very high'],
+      frustration: ['Frustration', 'How insecure, discouraged, irritated, stressed and annoyed were you?', 'very low', 'very high'],
+    },
+    errors: { VOLUNTEER: 'A whole number from 1 to 999, please.', STAGE: 'Not now.', RATING: 'The rating is incomplete.', TLX: 'Please set every scale.' },
+  },
 };
 
 export const HELP = [

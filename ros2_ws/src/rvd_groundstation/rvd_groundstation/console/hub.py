@@ -249,6 +249,9 @@ class Hub:
     def told(self, phase: str, note: str = '') -> None:
         """Be told by whoever starts runs how that goes."""
         self.phase, self.note = phase, note
+        if self.desk is not None and phase == 'ended':
+            self.desk.ended()
+            self._everybody(self.desk.view())
         self._status()
 
     def post(self, method: str, *args: Any) -> None:
