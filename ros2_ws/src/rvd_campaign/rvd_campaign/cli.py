@@ -85,7 +85,7 @@ def _add_report(commands: argparse._SubParsersAction) -> None:
         'report', help='make the report of a run or a campaign again',
         description='Write report.html of a run from its bag alone, or of a campaign from its '
                     'results.')
-    report.add_argument('folder', metavar='RUN', help='a run, a bag or a campaign folder')
+    report.add_argument('folder', metavar='RUN', help='a run, a bag, a campaign or a session folder')
     report.set_defaults(run=_report)
 
 
@@ -159,6 +159,10 @@ def _report(args: argparse.Namespace) -> int:
     from pathlib import Path
 
     folder = Path(args.folder)
+    if (folder / 'session.json').is_file():
+        from rvd_campaign.people import write_session_report
+        print(write_session_report(folder))
+        return EXIT_DONE
     if (folder / 'campaign.json').is_file():
         from rvd_campaign.campaign.report import write_campaign_report
         print(write_campaign_report(folder))

@@ -269,6 +269,7 @@ function showFrame() {
 function draw(at) {
   requestAnimationFrame(draw);
   if (at - drawnAt < FRAME_MS - 2) return;
+  scene.adapt(at - drawnAt);
   drawnAt = at;
   if (review.on) {
     review.show({ motion, thrust, tubeOf });
@@ -282,4 +283,4 @@ function draw(at) {
 
 showStatus();
 requestAnimationFrame(draw);
-window.rvd = { store, scene, stick, review }; // for tests and the curious; holds no token
+window.rvd = { store, scene, stick, review, link }; // for tests and the curious

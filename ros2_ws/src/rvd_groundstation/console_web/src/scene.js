@@ -10,6 +10,7 @@ const EXAGGERATED = 4; // of the lateral axis in side and top views
 const SPAN = 40; // [m] along x in side and top views
 const BODY = 1; // layer of the chaser itself, which its own camera does not see
 const MAX_PIXELS = 2.2e6;
+const [SLOW_MS, FAST_MS, LEAST_QUALITY] = [60, 38, 0.35]; // between two pictures
 
 export class Scene {
   constructor(canvas, view, camera, labels) {
@@ -48,10 +49,24 @@ export class Scene {
     for (const lens of [this.perspective, this.ortho]) lens.layers.enable(BODY);
     this.orbit = { azimuth: 2.35, height: 0.34, zoom: 1, focus: new THREE.Vector3(-13, 0, 0) };
     this.kind = 'orbit';
+    Object.assign(this, { quality: 1, adaptive: true, pace: 33, since: 0 });
     this.marks = new Map();
     this.follow(view);
     this.resize();
     addEventListener('resize', () => this.resize());
+  }
+
+  // A slow machine gets fewer pixels rather than fewer pictures: called once per picture drawn.
+  adapt(elapsed) {
+    if (!this.adaptive) return;
+    this.pace = this.pace * 0.9 + Math.min(elapsed, 400) * 0.1;
+    this.since += 1;
+    const slow = this.pace > SLOW_MS && this.quality > LEAST_QUALITY;
+    const fast = this.pace < FAST_MS && this.quality < 1;
+    if (this.since < (fast ? 150 : 15) || !(slow || fast)) return;
+    this.quality = Math.max(LEAST_QUALITY, Math.min(1, this.quality * (slow ? 0.75 : 1.25)));
+    this.since = 0;
+    this.resize();
   }
 
   setRun(run) {
@@ -68,7 +83,7 @@ export class Scene {
   resize() {
     const ratio = Math.min(devicePixelRatio || 1,
       Math.sqrt(MAX_PIXELS / Math.max(innerWidth * innerHeight, 1)));
-    this.renderer.setPixelRatio(ratio);
+    this.renderer.setPixelRatio(ratio * this.quality);
     this.renderer.setSize(innerWidth, innerHeight, false);
   }
 
