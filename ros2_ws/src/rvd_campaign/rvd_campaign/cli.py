@@ -51,7 +51,7 @@ def _add_fly(commands: argparse._SubParsersAction) -> None:
         description='Bring the node graph up, fly one approach, print the verdict, leave a run '
                     'folder with bag/, verdict.json, scenario.yaml, report.html and logs/.',
         epilog='Exit codes: 0 docked, 1 flown and failed, 2 could not run, 130 Ctrl-C.')
-    fly.add_argument('scenario', nargs='?', default='paper', metavar='SCENARIO',
+    fly.add_argument('scenario', nargs='?', metavar='SCENARIO',
                      help='name in `rvd list scenarios` or a file (default: paper)')
     fly.add_argument('--mode', choices=('shared', 'manual', 'auto'),
                      help='who decides (default: the scenario, else shared)')
@@ -65,6 +65,13 @@ def _add_fly(commands: argparse._SubParsersAction) -> None:
     fly.add_argument('--seed', type=int, metavar='N', help='seed of every random stream')
     fly.add_argument('--out', metavar='DIR',
                      help='run folder, must not exist (default: runs/<time>-<scenario>)')
+    fly.add_argument('--from', dest='campaign', metavar='DIR',
+                     help='fly a run of this campaign folder again, with --condition and --run')
+    fly.add_argument('--condition', metavar='NAME', help='with --from: the condition')
+    fly.add_argument('--run', type=int, metavar='K', dest='run_number',
+                     help='with --from: the number of the run')
+    fly.add_argument('--in-process', action='store_true',
+                     help='with --from: without DDS, only to see that the verdict is the same')
     fly.add_argument('--headless', action='store_true',
                      help='no live progress and no markers for viewers')
     fly.set_defaults(run=_fly)

@@ -25,7 +25,14 @@ RECORDER_LEAD = 64              # [steps] see spacecraft_dynamics
 
 def main(args: argparse.Namespace) -> int:
     """Fly one approach as the command line asks; return the exit code."""
-    scenario = chosen(args)
+    again = None
+    if args.campaign is not None:
+        from rvd_campaign.campaign import again
+        if args.in_process:
+            return again.in_process(args)
+    elif args.condition or args.run_number is not None or args.in_process:
+        raise CannotRun('--condition, --run and --in-process go with --from DIR')
+    scenario = again.chosen(args) if again else chosen(args)
     run_dir = new_folder(args.out, scenario.name)
     (run_dir / 'scenario.yaml').write_text(scenario.dump(), encoding='utf-8')
     signal.signal(signal.SIGTERM, lambda *_: signal.raise_signal(signal.SIGINT))
@@ -33,12 +40,15 @@ def main(args: argparse.Namespace) -> int:
         print(f'{scenario.name}: mode {scenario.mission.mode}, operator '
               f'{scenario.mission.operator}, seed {scenario.mission.seed}, '
               f'ROS_DOMAIN_ID={domain}, {run_dir}', flush=True)
-        return Flight(scenario, run_dir, domain, args.headless).fly()
+        code = Flight(scenario, run_dir, domain, args.headless).fly()
+    if again and code in (EXIT_DONE, EXIT_FAILED):
+        print(again.compared(args, verdict.read(run_dir / 'verdict.json')), flush=True)
+    return code
 
 
 def chosen(args: argparse.Namespace) -> Scenario:
     """Return the scenario with what the command line changes in it."""
-    scenario = load(catalogue.find('scenarios', args.scenario, ('.yaml',)))
+    scenario = load(catalogue.find('scenarios', args.scenario or 'paper', ('.yaml',)))
     shared: dict[str, object] = dict(pace_of(args.pace))
     operator = args.operator or ('replay' if args.tape else scenario.mission.operator)
     if args.tape and operator != 'replay':
