@@ -137,6 +137,8 @@ pip() {
 
 create_environment() {
     local options=()
+    rm -f "$venv/complete"                      # the rest takes longer, and may be killed
+    rm -rf "$venv" "$state"/{build,install,env.sh}
     [[ $ros != wheels ]] && options=(--system-site-packages)
     "$python" -m venv "${options[@]}" "$venv"
     printf '%s\n' "${RVD_PYTHON:-}" "$python" > "$state/python"
@@ -295,8 +297,8 @@ set_up() {
         why='first use'
         [[ -d $venv ]] && why='the last set-up was interrupted'
         [[ -n $before ]] && why='the lock file, ROS, the Python or the place of the project changed'
+        [[ -n $again ]] && why='asked for'
         say "setting up in $state ($why): a minute or two, 1 GB"
-        rm -rf "$venv" "$state"/{build,install,env.sh}
         stage environment "making the environment ($("$python" -V 2>&1))" create_environment
         stage packages "installing $(grep -c '^[A-Za-z]' "$root/requirements.lock") pinned packages" \
             install_packages
@@ -324,8 +326,8 @@ gone_from() {                                   # gone_from BEFORE NOW: files th
 }
 
 case "${1:-}" in
-    '') ;;
-    --again) ;;
+    '') again='' ;;
+    --again) again=yes ;;
     *) die "setup takes --again or nothing, not '$1'" ;;
 esac
 mkdir -p "$state" 2> /dev/null || die "cannot write to $root"
@@ -340,7 +342,7 @@ unset PYTHONHOME _ROS_WHEELS_BOOTSTRAP_COMPLETE
 if [[ $ros == wheels ]]; then                   # whatever else this shell has loaded
     unset PYTHONPATH AMENT_PREFIX_PATH CMAKE_PREFIX_PATH COLCON_PREFIX_PATH
 fi
-[[ ${1:-} == --again ]] && rm -rf "$state"/{done,venv,build,install,env.sh,colcon}
+[[ -n $again ]] && rm -f "$state/done" "$venv/complete"
 if up_to_date; then
     say "up to date: $state"
     exit 0

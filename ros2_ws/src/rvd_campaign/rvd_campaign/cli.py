@@ -66,6 +66,13 @@ def _add_fly(commands: argparse._SubParsersAction) -> None:
     fly.add_argument('--seed', type=int, metavar='N', help='seed of every random stream')
     fly.add_argument('--out', metavar='DIR',
                      help='run folder, must not exist (default: runs/<time>-<scenario>)')
+    fly.add_argument('--from', dest='campaign', metavar='DIR',
+                     help='fly a run of this campaign folder again, with --condition and --run')
+    fly.add_argument('--condition', metavar='NAME', help='with --from: the condition')
+    fly.add_argument('--run', type=int, metavar='K', dest='run_number',
+                     help='with --from: the number of the run')
+    fly.add_argument('--in-process', action='store_true',
+                     help='with --from: without DDS, only to see that the verdict is the same')
     fly.add_argument('--headless', action='store_true',
                      help='no live progress and no markers for viewers')
     console = fly.add_argument_group('with --operator console')

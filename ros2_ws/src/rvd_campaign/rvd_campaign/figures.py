@@ -291,9 +291,14 @@ FIGURES: dict[str, Callable[[Recording], Figure]] = {
 
 def svg(name: str, run: Recording) -> str:
     """Return a figure of `FIGURES` as an SVG element to stand in a page that has the colours."""
+    return drawn(name, lambda: FIGURES[name](run))
+
+
+def drawn(name: str, draw: Callable[[], Figure]) -> str:
+    """Return what `draw` draws as an SVG element; `name` sets its ids apart from others'."""
     with matplotlib.rc_context(STYLE):
         text = io.StringIO()
-        FIGURES[name](run).savefig(text, format='svg', metadata={'Date': None})
+        draw().savefig(text, format='svg', metadata={'Date': None})
     drawing = text.getvalue()
     drawing = drawing[drawing.index('<svg'):]
     drawing = re.sub(r'<metadata>.*?</metadata>', '', drawing, flags=re.S)

@@ -26,11 +26,16 @@ RECORDER_LEAD = 64              # [steps] see spacecraft_dynamics
 
 def main(args: argparse.Namespace) -> int:
     """Fly one approach as the command line asks; return the exit code."""
+    again = None
     if args.pace is None:                       # a person flies in real time
         args.pace = 'realtime' if args.operator in ('console', 'joy') else '10'
-    if args.scenario is None:
-        args.scenario = 'hand' if args.operator == 'console' else 'paper'
-    scenario = chosen(args)
+    if args.campaign is not None:
+        from rvd_campaign.campaign import again
+        if args.in_process:
+            return again.in_process(args)
+    elif args.condition or args.run_number is not None or args.in_process:
+        raise CannotRun('--condition, --run and --in-process go with --from DIR')
+    scenario = again.chosen(args) if again else chosen(args)
     if scenario.mission.operator == 'console':
         from rvd_campaign import console
         return console.main(args, scenario)
@@ -41,12 +46,16 @@ def main(args: argparse.Namespace) -> int:
         print(f'{scenario.name}: mode {scenario.mission.mode}, operator '
               f'{scenario.mission.operator}, seed {scenario.mission.seed}, '
               f'ROS_DOMAIN_ID={domain}, {run_dir}', flush=True)
-        return Flight(scenario, run_dir, domain, args.headless).fly()
+        code = Flight(scenario, run_dir, domain, args.headless).fly()
+    if again and code in (EXIT_DONE, EXIT_FAILED):
+        print(again.compared(args, verdict.read(run_dir / 'verdict.json')), flush=True)
+    return code
 
 
 def chosen(args: argparse.Namespace) -> Scenario:
     """Return the scenario with what the command line changes in it."""
-    scenario = load(catalogue.find('scenarios', args.scenario, ('.yaml',)))
+    usual = 'hand' if args.operator == 'console' else 'paper'
+    scenario = load(catalogue.find('scenarios', args.scenario or usual, ('.yaml',)))
     shared: dict[str, object] = dict(pace_of(args.pace))
     operator = args.operator or ('replay' if args.tape else scenario.mission.operator)
     if args.tape and operator != 'replay':

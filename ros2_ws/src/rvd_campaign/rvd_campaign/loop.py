@@ -97,17 +97,21 @@ class Flight:
     history: History | None             # when it was asked for
 
 
-class _Draws(NamedTuple):
-    """Every draw of N runs; row k of the blocks belongs to step k."""
+class Draws(NamedTuple):
+    """All chance of N runs, whatever is flown with it; row k of a block belongs to step k."""
 
+    key: tuple                          # what the draws depend on
     start: Array                        # (N, 6)
     measurement: Array                  # (N, steps, 6)
     execution: Array                    # (N, steps, 3)
-    back_intact: NDArray[np.bool_]      # (N, steps) sample sent at k comes down in time
-    forward_intact: NDArray[np.bool_]   # (N, steps) command sent at k goes up in time
+    back_intact: NDArray[np.bool_]      # (N, steps) the sample of k comes down in time
+    forward_intact: NDArray[np.bool_]   # (N, steps) the command of k goes up in time
+    pilot: streams.PilotDraws | None    # when a model flies
+    skill: Array | None                 # (N,)
 
 
-def fly(settings: LoopSettings, runs: Sequence[int], record: bool = False) -> Flight:
+def fly(settings: LoopSettings, runs: Sequence[int], record: bool = False,
+        draws: Draws | None = None) -> Flight:
     """
     Fly runs to their end.
 
@@ -118,13 +122,26 @@ def fly(settings: LoopSettings, runs: Sequence[int], record: bool = False) -> Fl
     runs : sequence of int
         Numbers of the runs; each is the same whichever others fly with it.
     record : bool
-        Keep the history (1.5 kB per step and four runs; leave it out of campaigns).
+        Keep the history (0.3 kB per step and run: leave it out of campaigns).
+    draws : Draws, optional
+        What `draw` returned for these runs. Drawing takes more time than flying, and conditions
+        that share seed, links and time grid share the draws.
 
     Returns
     -------
     Flight
+
+    Raises
+    ------
+    ValueError
+        If there is no run, or `draws` are of other runs or settings.
     """
-    loop = _Loop(settings, runs)
+    if len(runs) == 0:
+        raise ValueError('runs must name at least one run, got none')
+    draws = draw(settings, runs) if draws is None else draws
+    if draws.key != _key(settings, runs):
+        raise ValueError('draws are of other runs, seed, links, delays or time grid')
+    loop = _Loop(settings, draws)
     steps: list[dict] = []
     for step in range(settings.mission.last_step + 1):
         row = loop.advance(step)
@@ -140,15 +157,15 @@ def fly(settings: LoopSettings, runs: Sequence[int], record: bool = False) -> Fl
 class _Loop:
     """The parts of the graph and what is on its way between them."""
 
-    def __init__(self, s: LoopSettings, runs: Sequence[int]) -> None:
-        mission, n = s.mission, len(runs)
-        self._settings, self._batch = s, (n,)
-        self._draws = _draw(s, runs)
+    def __init__(self, s: LoopSettings, draws: Draws) -> None:
+        mission, n = s.mission, len(draws.start)
+        self._settings, self._draws, self._batch = s, draws, (n,)
         self._truth_model = TRUTH_MODELS[s.dynamics.truth_model](mission)
-        self._state = s.dynamics.start(mission, self._draws.start)
+        self._state = s.dynamics.start(mission, draws.start)
         self._acceleration = np.full((n, 3), np.nan)
         self._predictor = Predictor(s.predictor, mission, (n,), track=False)
-        self._pilot = _pilot(s, runs)
+        self._pilot = (Pilot(s.pilot, mission, draws.pilot, draws.skill, (n,))
+                       if mission.operator == 'model' else None)
         self.judge = Judge(mission, (n,))
         self.ended = np.zeros(n, dtype=bool)
         self.end_step = np.full(n, -1, dtype=np.int64)
@@ -237,33 +254,35 @@ class _Loop:
                       auto, auto_valid)
 
 
-def _draw(s: LoopSettings, runs: Sequence[int]) -> _Draws:
-    """Draw what the world and the links will do in each run."""
-    mission, steps = s.mission, s.mission.last_step + 1
-    seed = mission.seed
+def draw(settings: LoopSettings, runs: Sequence[int]) -> Draws:
+    """Draw what the world, the links and the pilots will do in runs; see `fly`."""
+    mission, steps = settings.mission, settings.mission.last_step + 1
+    seed, flown = mission.seed, mission.operator == 'model'
 
     def intact(params: LinkParams, purpose: str, hold_steps: int) -> NDArray[np.bool_]:
         return np.stack([
             draw_plan(params, streams.generator(seed, run, purpose), steps, mission.step_ns,
                       hold_steps).intact_in_time for run in runs])
 
-    return _Draws(
-        streams.stack(streams.start_normals(seed, run) for run in runs),
-        streams.stack(streams.measurement_normals(seed, run, steps) for run in runs),
-        streams.stack(streams.execution_normals(seed, run, steps) for run in runs),
-        intact(s.link_back, 'link_back', mission.back_steps),
-        intact(s.link_forward, 'link_forward', mission.forward_steps))
+    return Draws(
+        key=_key(settings, runs),
+        start=streams.stack(streams.start_normals(seed, run) for run in runs),
+        measurement=streams.stack(
+            streams.measurement_normals(seed, run, steps) for run in runs),
+        execution=streams.stack(streams.execution_normals(seed, run, steps) for run in runs),
+        back_intact=intact(settings.link_back, 'link_back', mission.back_steps),
+        forward_intact=intact(settings.link_forward, 'link_forward', mission.forward_steps),
+        pilot=streams.stack(
+            streams.pilot_draws(seed, run, steps) for run in runs) if flown else None,
+        skill=np.array([streams.skill_normal(seed, settings.pilot.operator_of(run))
+                        for run in runs]) if flown else None)
 
 
-def _pilot(s: LoopSettings, runs: Sequence[int]) -> Pilot | None:
-    """Return the pilots of the runs, where a model flies."""
+def _key(s: LoopSettings, runs: Sequence[int]) -> tuple:
     mission = s.mission
-    if mission.operator != 'model':
-        return None
-    draws = streams.stack(streams.pilot_draws(mission.seed, run, mission.last_step + 1)
-                          for run in runs)
-    skill = [streams.skill_normal(mission.seed, s.pilot.operator_of(run)) for run in runs]
-    return Pilot(s.pilot, mission, draws, np.array(skill), (len(runs),))
+    return (tuple(runs), mission.seed, mission.last_step, mission.step_ns, mission.back_steps,
+            mission.forward_steps, s.link_back, s.link_forward, mission.operator == 'model',
+            s.pilot.runs_per_operator)
 
 
 def _history(steps: list[dict], end_step: NDArray[np.int64]) -> History:

@@ -35,7 +35,7 @@ def write_report(run_dir: Path) -> Path:
     Raises
     ------
     ValueError
-        If there is no bag.
+        If there is no bag, or the page cannot be written.
     """
     run_dir = Path(run_dir)
     folder = run_dir / 'bag' if (run_dir / 'bag').is_dir() else run_dir
@@ -48,8 +48,13 @@ def write_report(run_dir: Path) -> Path:
         else run_dir
     target = home / 'report.html'
     draft = target.with_suffix('.html.part')
-    draft.write_text(page(read(run_dir)), encoding='utf-8')
-    draft.replace(target)
+    text = page(read(run_dir))
+    try:
+        draft.write_text(text, encoding='utf-8')
+        draft.replace(target)
+    except OSError as error:
+        draft.unlink(missing_ok=True)
+        raise ValueError(f'cannot write {target}: {error.strerror}') from None
     return target
 
 

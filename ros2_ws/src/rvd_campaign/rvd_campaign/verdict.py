@@ -81,6 +81,11 @@ def write(path: Path, content: dict[str, Any]) -> None:
     draft.replace(path)
 
 
+def read(path: Path) -> dict[str, Any]:
+    """Read `verdict.json`."""
+    return json.loads(path.read_text(encoding='utf-8'))
+
+
 def in_words(content: dict[str, Any], mission: Mission) -> str:
     """Return the verdict in a few lines."""
     words = WORDS.get(content['reason'], content['reason'])

@@ -1,0 +1,79 @@
+"""
+One run of a campaign, flown again: over DDS or in this process, with the same verdict.
+"""
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from rvd_campaign import verdict
+from rvd_campaign.campaign.engine import check_same, open_folder, refly
+from rvd_campaign.campaign.results import rows, Table
+from rvd_campaign.exits import CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_FAILED
+from rvd_campaign.fly import pace_of
+from rvd_campaign.loop import fly
+from rvd_campaign.scenario import Scenario
+
+FIXED = ('scenario', 'mode', 'operator', 'tape', 'seed')        # arguments the campaign answers
+COMPARED = {                    # column of the table: place in verdict.json
+    'duration_s': ('duration_s',), 'x_rate_m_s': ('terminal', 'x_rate_m_s'),
+    'offset_m': ('terminal', 'offset_m'), 'lateral_rate_m_s': ('terminal', 'lateral_rate_m_s'),
+    'min_corridor_margin_m': ('min_corridor_margin_m',), 'delta_v_m_s': ('delta_v_m_s',)}
+
+
+def chosen(args: argparse.Namespace) -> Scenario:
+    """Return the scenario of the run that the command line names."""
+    return _chosen(args)[0].with_values('/**', **pace_of(args.pace))
+
+
+def _chosen(args: argparse.Namespace) -> tuple[Scenario, Table]:
+    if not args.condition or args.run_number is None:
+        raise CannotRun('--from needs --condition NAME and --run K')
+    for name in FIXED:
+        if getattr(args, name) is not None:
+            raise CannotRun(f'--from takes everything from the campaign: leave out '
+                            f'{"SCENARIO" if name == "scenario" else "--" + name}')
+    return refly(Path(args.campaign), args.condition, args.run_number)
+
+
+def compared(args: argparse.Namespace, content: dict[str, Any]) -> str:
+    """Return in words whether a flown verdict is that of the campaign."""
+    row = _chosen(args)[1]
+    different = [] if content['reason'] == row['reason'][0] else ['reason']
+    for column, path in COMPARED.items():
+        value: Any = content
+        for key in path:
+            value = value[key]
+        value = float('nan') if value is None else value
+        if not np.array_equal(value, row[column][0], equal_nan=True):
+            different.append(column)
+    return _said(args, different)
+
+
+def in_process(args: argparse.Namespace) -> int:
+    """Fly the run in this process and compare every column; return the exit code of `fly`."""
+    scenario, row = _chosen(args)
+    mine = rows(fly(scenario.loop(), [args.run_number]))
+    print(f'{args.condition}, run {args.run_number}: '
+          f'{verdict.WORDS[str(mine["reason"][0])]} after {mine["duration_s"][0]:.1f} s')
+    different = [name for name, values in row.items()
+                 if not np.array_equal(values, mine[name], equal_nan=values.dtype.kind == 'f')]
+    print(_said(args, different))
+    if different:
+        return EXIT_CANNOT
+    return EXIT_DONE if mine['success'][0] else EXIT_FAILED
+
+
+def _said(args: argparse.Namespace, different: list[str]) -> str:
+    if not different:
+        return 'the same as in the campaign, to the last bit'
+    folder = Path(args.campaign)
+    campaign, kept = open_folder(folder)
+    try:
+        check_same(folder, kept, campaign)
+        why = ''
+    except ValueError as error:
+        why = f' ({error})'
+    return f'NOT the same as in the campaign: {", ".join(different)}{why}'
