@@ -15,6 +15,7 @@ let flying = false; // we hold the lease
 let sequence = 0;
 let lastFrame = 0;
 let closedFor = '';
+let logging = false; // for the benchmark: tell when each sample went out
 
 const bytes = new ArrayBuffer(24);
 const view = new DataView(bytes);
@@ -33,6 +34,7 @@ function sample() {
   view.setFloat32(12, held ? stick.z : 0, true);
   view.setFloat64(16, performance.timeOrigin + performance.now(), true);
   socket.send(bytes);
+  if (logging) postMessage({ type: 'sent', sequence, at: view.getFloat64(16, true) });
 }
 
 function open() {
@@ -71,6 +73,8 @@ onmessage = (event) => {
     stick = said.stick;
     beatAt = performance.now();
     if (said.now) sample();
+  } else if (said.log) {
+    logging = true;
   } else if (said.ask) {
     ask(said.ask);
   }

@@ -24,7 +24,7 @@ for (const element of document.querySelectorAll('[data-a]')) element.setAttribut
 const token = decodeURIComponent(location.hash.slice(1)) || sessionStorage.getItem('rvd.token') || '';
 if (token) {
   sessionStorage.setItem('rvd.token', token);
-  history.replaceState(null, '', location.pathname); // the token does not stay on a shared screen
+  history.replaceState(null, '', location.pathname + location.search); // the token does not stay on a shared screen
 }
 
 const store = new Store();
@@ -32,6 +32,7 @@ const motion = new Motion();
 const thrust = new Thrust();
 const charts = new Charts();
 const scene = new Scene($('gl'), $('view'), $('camera'), $('labels'));
+scene.enabled = !new URLSearchParams(location.search).has('plain'); // for weak machines
 let armedAt = -Infinity;
 let drawnAt = 0;
 let shownVerdict = null;

@@ -49,7 +49,7 @@ export class Scene {
     for (const lens of [this.perspective, this.ortho]) lens.layers.enable(BODY);
     this.orbit = { azimuth: 2.35, height: 0.34, zoom: 1, focus: new THREE.Vector3(-13, 0, 0) };
     this.kind = 'orbit';
-    Object.assign(this, { quality: 1, adaptive: true, pace: 33, since: 0 });
+    Object.assign(this, { enabled: true, drawn: 0, quality: 1, adaptive: true, pace: 33, since: 0 });
     this.marks = new Map();
     this.follow(view);
     this.resize();
@@ -59,12 +59,12 @@ export class Scene {
   // A slow machine gets fewer pixels rather than fewer pictures: called once per picture drawn.
   adapt(elapsed) {
     if (!this.adaptive) return;
-    this.pace = this.pace * 0.9 + Math.min(elapsed, 400) * 0.1;
+    this.pace = this.pace * 0.8 + Math.min(elapsed, 400) * 0.2;
     this.since += 1;
     const slow = this.pace > SLOW_MS && this.quality > LEAST_QUALITY;
     const fast = this.pace < FAST_MS && this.quality < 1;
-    if (this.since < (fast ? 150 : 15) || !(slow || fast)) return;
-    this.quality = Math.max(LEAST_QUALITY, Math.min(1, this.quality * (slow ? 0.75 : 1.25)));
+    if (this.since < (fast ? 150 : 6) || !(slow || fast)) return;
+    this.quality = Math.max(LEAST_QUALITY, Math.min(1, this.quality * (slow ? 0.7 : 1.25)));
     this.since = 0;
     this.resize();
   }
@@ -133,6 +133,8 @@ export class Scene {
   }
 
   draw() {
+    if (!this.enabled) return;
+    this.drawn += 1;
     const { view, camera } = this.elements;
     const squeeze = this.kind === 'orbit' ? 1 : 1 / EXAGGERATED;
     const bodies = [this.measured, this.ghost, this.truth, this.station].filter(Boolean);
@@ -246,17 +248,23 @@ export class Scene {
     return p.z > 1 ? null : [p.x, p.y];
   }
 
-  // How many pixels of the view are near a colour: for tests.
-  count(hex, tolerance) {
-    this.draw();
-    const gl = this.renderer.getContext();
-    const [w, h] = [gl.drawingBufferWidth, gl.drawingBufferHeight];
-    const data = new Uint8Array(w * h * 4);
-    gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, data);
-    const want = [hex >> 16, (hex >> 8) & 255, hex & 255];
+  // How many pixels a part of the scene makes different from a scene without it: for tests.
+  covers(part) {
+    const body = { measured: this.measured, ghost: this.ghost, truth: this.truth,
+      tube: this.tube.mesh, station: this.station, corridor: this.static.children[1] }[part];
+    const was = body.visible;
+    const shots = [was, false].map((visible) => {
+      body.visible = visible;
+      this.draw();
+      const gl = this.renderer.getContext();
+      const data = new Uint8Array(gl.drawingBufferWidth * gl.drawingBufferHeight * 4);
+      gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, data);
+      return data;
+    });
+    body.visible = was;
     let n = 0;
-    for (let i = 0; i < data.length; i += 4) {
-      if (want.every((v, c) => Math.abs(v - data[i + c]) <= tolerance)) n += 1;
+    for (let i = 0; i < shots[0].length; i += 4) {
+      if (shots[0][i] !== shots[1][i] || shots[0][i + 1] !== shots[1][i + 1]) n += 1;
     }
     return n;
   }

@@ -79,6 +79,7 @@ class Hub:
         self._frame = 0
         self._shown = {'pilot': 0, 'watch': 0}  # ladder versions
         self._watched_at = 0.0
+        self._watchers_due: asyncio.TimerHandle | None = None
         self._stick: tuple[float, Stick] | None = None
 
     # -- pages ----------------------------------------------------------------------------
@@ -243,7 +244,8 @@ class Hub:
         self._bridge = None
         if self.phase == 'flying':
             self.phase = 'ended'
-        self._send_frames(force=True)
+        self._to_pilot()
+        self._to_watchers()
         self._status()
 
     def told(self, phase: str, note: str = '') -> None:
@@ -286,27 +288,34 @@ class Hub:
             await self._fresh.wait()
             self._fresh.clear()
             self._drain()
-            self._send_frames()
+            self._to_pilot()
+            self._to_watchers()
             await asyncio.sleep(FRAME_S)
 
-    def _send_frames(self, force: bool = False) -> None:
-        if self.feed is None:
+    def _to_pilot(self) -> None:
+        if self.feed is not None and self.lease.holder in self.clients:
+            self._put(self.lease.holder, self._frame_text('pilot'), True)
+
+    def _to_watchers(self, waited: bool = False) -> None:
+        """Send a frame to those who watch, now or as soon as they may have the next one."""
+        if waited:
+            self._watchers_due = None
+        if self.feed is None or self._watchers_due is not None:
             return
-        now = time.monotonic()
-        self._frame += 1
-        holder = self.lease.holder
-        if holder in self.clients:
-            self._put(holder, self._frame_text('pilot'), True)
-        if force or now - self._watched_at >= WATCH_S:
-            self._watched_at = now
-            text = self._frame_text('watch')
-            for client in list(self.clients):
-                if client is not holder:
-                    self._put(client, text, True)
+        left = self._watched_at + WATCH_S - time.monotonic()
+        if left > 0.0 and self._loop is not None:
+            self._watchers_due = self._loop.call_later(left, self._to_watchers, True)
+            return
+        self._watched_at = time.monotonic()
+        text = self._frame_text('watch')
+        for client in list(self.clients):
+            if client is not self.lease.holder:
+                self._put(client, text, True)
 
     def _frame_text(self, audience: str) -> str:
         message = self.feed.frame(self._shown[audience])
         self._shown[audience] = self.feed.ladder.version
+        self._frame += 1
         message['n'] = self._frame
         return encode(message)
 
