@@ -184,7 +184,8 @@ def test_conditions_are_paired():
 
 
 @pytest.mark.parametrize('other', [
-    settings(seed=1), settings(back_delay_s=4.0), settings(step_s=0.25),
+    settings(seed=1), settings(back_delay_s=4.0), settings(forward_delay_s=4.0),
+    settings(step_s=0.25), settings(timeout_s=150.0),
     settings(link_back=ROUGH), settings(operator='none')])
 def test_draws_of_another_flight_are_refused(other):
     with pytest.raises(ValueError, match='draws are of other runs'):
