@@ -226,7 +226,7 @@ def test_nothing_done_leaves_the_corridor_where_the_drift_takes_it():
     assert verdict.exit_position[0, 0] == pytest.approx(x(exit_s), abs=1e-6)
 
 
-def test_prediction_is_as_good_as_the_specification_says():
+def test_prediction_is_as_good_as_the_documentation_says():
     """
     Rms at the instant of execution, filter settled: 24 and 6 mm, 0.4 and 0.9 mm/s.
 
