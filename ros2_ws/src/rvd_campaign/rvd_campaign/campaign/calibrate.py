@@ -75,14 +75,22 @@ class Bench:
         code = (engine.code_hash(), *engine.versions().values())
         parts = [Stretch(0, first, min(BATCH, self.runs - first))
                  for first in range(0, self.runs, BATCH)]
-        flown = self.pool(joblib.delayed(engine.fly_stretch)(self._with(p), s, code, 0)
-                          for p in pilots for s in parts)
-        tables = [table for _, table, _ in flown]
-        return [_look(tables[i:i + len(parts)]) for i in range(0, len(tables), len(parts))]
+        scenarios = [self._with(pilot) for pilot in pilots]
+        flown = self.pool(
+            joblib.delayed(engine.fly_together)([(s, part) for s in some], code, 0)
+            for part in parts for some in _handfuls(scenarios))
+        tables = [table for made in flown for _, table, _ in made]      # by part, then pilot
+        return [_look(tables[i::len(pilots)]) for i in range(len(pilots))]
 
     def _with(self, pilot: PilotParams) -> Scenario:
         values = {k.replace('.', '__'): v for k, v in flatten(pilot).items()}
         return self.scenario.with_values('operator_model', **values)
+
+
+def _handfuls(scenarios: list[Scenario]) -> list[list[Scenario]]:
+    """Return the scenarios in groups that share their draws."""
+    return [scenarios[i:i + engine.TOGETHER]
+            for i in range(0, len(scenarios), engine.TOGETHER)]
 
 
 def _look(tables: list[Table]) -> Look:
