@@ -26,8 +26,10 @@ WORLD = ['world', 'orbit.models', 'orbit.two_body', 'spacecraft.thrusters', 'sen
          'link.models', 'link.plan', 'link.play_out', 'link.channel', 'nodes']
 
 # Outside of ros/ and nodes/ all the same: the live view of `rvd fly`, which listens to topics from
-# within the command's own process; and the recorder's look-up of installed message definitions.
-ALSO_ROS = {'rvd_campaign.watch', 'rvd_dynamics.recording.definitions'}
+# within the command's own process; the recorder's look-up of installed message definitions; and the
+# benchmark's graph of hollow nodes, with the view that follows it.
+ALSO_ROS = {'rvd_campaign.watch', 'rvd_dynamics.recording.definitions',
+            'rvd_campaign.bench.bare', 'rvd_campaign.bench.graph'}
 
 
 def name_of(path):

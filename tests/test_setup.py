@@ -18,6 +18,7 @@ import time
 
 from packaging.requirements import Requirement
 import pytest
+from rvd_campaign import cli
 
 ROOT = Path(__file__).resolve().parents[1]
 TOOLS = ('awk bash cat comm cp cut date dirname env find flock grep kill ls mkdir mv readlink rm sed '
@@ -95,8 +96,16 @@ def test_help_lists_the_commands_without_setting_up(project):
         done = rvd(project, *arguments)
         assert done.returncode == 0
         assert re.findall(r'^  (\w+) ', done.stdout, re.MULTILINE) == [
-            'fly', 'report', 'campaign', 'list', 'bench', 'node', 'shell', 'test', 'setup', 'help']
+            'fly', 'report', 'campaign', 'calibrate', 'list', 'bench', 'node', 'shell', 'test',
+            'setup', 'help']
     assert not (project / '.rvd').exists()
+
+
+def test_every_command_in_python_is_passed_on():
+    commands = next(action.choices for action in cli.parser()._actions if action.dest == 'command')
+    listed = re.search(r'^    ([a-z |]+)\)\n +load && exec python -m rvd_campaign.cli',
+                       (ROOT / 'rvd').read_text(), re.MULTILINE).group(1)
+    assert set(listed.split(' | ')) == set(commands)
 
 
 def test_unknown_command_is_refused_without_setting_up(project):

@@ -22,7 +22,6 @@ Limits  the programme moves by Clohessy and Wiltshire: margins less than `SLACK_
 
 import argparse
 from collections.abc import Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
@@ -102,6 +101,8 @@ def ceiling(settings: LoopSettings, runs: Sequence[int], first_step: int | None 
         first_step = mission.forward_steps + mission.back_steps
     if first_step < 0:
         raise ValueError(f'first_step must not be negative, got {first_step}')
+    if len(runs) == 0:
+        raise ValueError('runs must be one or more, got none')
     parts = [_decide(settings, runs[i:i + BATCH], first_step)
              for i in range(0, len(runs), BATCH)]
     return Ceiling(*(np.concatenate(part) for part in zip(*parts)))
@@ -251,14 +252,18 @@ def _motion(state: Array, mission: Mission, steps: int) -> tuple[Array, Array]:
 
 def main(args: Sequence[str] | None = None) -> None:
     """Print the ceiling of a scenario and what its law reached in the same runs."""
-    from rvd_campaign.scenario import load
-    parser = argparse.ArgumentParser(prog='python -m rvd_campaign.ceiling', description=main.__doc__)
+    from rvd_campaign.scenario import load      # it imports much that the ceiling does not need
+    parser = argparse.ArgumentParser('python -m rvd_campaign.ceiling', description=main.__doc__)
     parser.add_argument('scenario', type=Path, help='scenario file')
     parser.add_argument('--runs', type=int, default=20000, metavar='N')
-    parser.add_argument('--warm', action='store_true', help='the link was running before t = 0')
+    parser.add_argument('--warm', action='store_true',
+                        help='the link was running before t = 0; what is flown starts cold')
     options = parser.parse_args(args)
-    settings, runs = load(options.scenario).loop(), range(options.runs)
-    found = ceiling(settings, runs, 0 if options.warm else None)
+    try:
+        settings, runs = load(options.scenario).loop(), range(options.runs)
+        found = ceiling(settings, runs, 0 if options.warm else None)
+    except ValueError as error:
+        parser.error(str(error))
     for name, mask in found._asdict().items():
         print(f'{name:8s} {mask.sum():7d}  {mask.mean():.4f}')
     print('ceiling  {:.4f} to {:.4f}'.format(*found.bounds))

@@ -41,6 +41,7 @@ STYLE = {
     'axes.facecolor': 'none', 'savefig.facecolor': 'none', 'path.simplify': True,
 }
 WIDTH_IN = 9.6                          # of every figure in the report
+MOST_DOTS = 500                         # of one kind in one panel
 AXES = 'xyz'
 PREDICTED = {'color': BLUE, 'linewidth': 1.1, 'linestyle': (0, (4, 2))}
 
@@ -85,8 +86,9 @@ def _side_view(axes: Axes, run: Recording, lateral: int) -> None:
         axes.plot(x, sign * inner, color=ORANGE, linewidth=1.8,
                   label='control boundary' if sign > 0 else None)
         axes.fill_between(x, sign * inner, sign * wall, color=ORANGE, alpha=0.10, linewidth=0)
-    axes.plot(*_shown(run.measurement.state, lateral), linestyle='', marker='.', markersize=2.2,
-              color=MUTED, alpha=0.7, label='measured')
+    measured = _shown(run.measurement.state, lateral)
+    axes.plot(*measured, linestyle='', marker='.', markersize=2.2, color=MUTED, alpha=0.7,
+              label='measured', markevery=_every(measured[0]))
     axes.plot(*_shown(state, lateral), color=INK, linewidth=2.0, label='true')
     axes.plot(*_shown(run.prediction.state, lateral), **PREDICTED, label='predicted')
     if len(state):
@@ -105,6 +107,11 @@ def _shown(state: NDArray, lateral: int) -> tuple[NDArray, NDArray]:
     """Return station and offset, without what lies past the docking plane."""
     before = state[:, 0] <= 0.3
     return state[before, 0], state[before, lateral]
+
+
+def _every(values: NDArray) -> int:
+    """Return which dots to draw (every n-th): more than MOST_DOTS say nothing more."""
+    return len(values) // MOST_DOTS + 1
 
 
 def _mark_exit(axes: Axes, run: Recording, lateral: int) -> None:
@@ -223,7 +230,8 @@ def prediction(run: Recording) -> Figure:
             axes.fill_between(t, -2*scale*sigma[:, k], 2*scale*sigma[:, k], color=BLUE,
                               alpha=0.16, linewidth=0, label='claimed, 2 sigma')
             axes.plot(run.score.t[scored], scale * run.score.error[scored, k], linestyle='',
-                      marker='.', markersize=2.5, color=MUTED, label='against later received')
+                      marker='.', markersize=2.5, color=MUTED, label='against later received',
+                      markevery=_every(run.score.t[scored]))
             axes.plot(t, scale * error[:, k], color=INK, linewidth=1.4, label='against truth')
             _scaled_to(axes, np.concatenate([scale * error[:, k], 2*scale*sigma[:, k]]))
             axes.axhline(0.0, color=MUTED, linewidth=0.8)
@@ -258,7 +266,7 @@ def links(run: Recording) -> Figure:
         transit = frames.arrived - frames.sent
         released = np.isfinite(transit)
         strip.plot(frames.sent[released], transit[released], linestyle='', marker='.',
-                   markersize=3.5, color=colour)
+                   markersize=3.5, color=colour, markevery=_every(transit[released]))
         strip.axhline(hold, color=INK, linewidth=1.2, linestyle=(0, (5, 3)))
         gaps = _gaps(frames, hold, mission.step_s)
         if len(gaps):

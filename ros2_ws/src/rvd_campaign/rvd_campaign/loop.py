@@ -139,7 +139,7 @@ def fly(settings: LoopSettings, runs: Sequence[int], record: bool = False,
     if len(runs) == 0:
         raise ValueError('runs must name at least one run, got none')
     draws = draw(settings, runs) if draws is None else draws
-    if draws.key != _key(settings, runs):
+    if draws.key != draws_key(settings, runs):
         raise ValueError('draws are of other runs, seed, links, delays or time grid')
     loop = _Loop(settings, draws)
     steps: list[dict] = []
@@ -254,31 +254,35 @@ class _Loop:
                       auto, auto_valid)
 
 
-def draw(settings: LoopSettings, runs: Sequence[int]) -> Draws:
-    """Draw what the world, the links and the pilots will do in runs; see `fly`."""
-    mission, steps = settings.mission, settings.mission.last_step + 1
+def draw(settings: LoopSettings, runs: Sequence[int], steps: int | None = None) -> Draws:
+    """
+    Draw what the world, the links and the pilots will do in runs; see `fly`.
+
+    `steps` rows a block, all that a run may take if None; fewer are the first of these.
+    """
+    mission = settings.mission
+    steps = mission.last_step + 1 if steps is None else min(steps, mission.last_step + 1)
     seed, flown = mission.seed, mission.operator == 'model'
 
     def intact(params: LinkParams, purpose: str, hold_steps: int) -> NDArray[np.bool_]:
         return np.stack([
-            draw_plan(params, streams.generator(seed, run, purpose), steps, mission.step_ns,
-                      hold_steps).intact_in_time for run in runs])
+            draw_plan(params, rng, steps, mission.step_ns, hold_steps).intact_in_time
+            for rng in streams.generators(seed, runs, purpose)])
 
     return Draws(
-        key=_key(settings, runs),
-        start=streams.stack(streams.start_normals(seed, run) for run in runs),
-        measurement=streams.stack(
-            streams.measurement_normals(seed, run, steps) for run in runs),
-        execution=streams.stack(streams.execution_normals(seed, run, steps) for run in runs),
+        key=draws_key(settings, runs),
+        start=streams.start_normals_of_runs(seed, runs),
+        measurement=streams.normals_of_runs(seed, runs, 'measurement', steps, 6),
+        execution=streams.normals_of_runs(seed, runs, 'execution', steps, 3),
         back_intact=intact(settings.link_back, 'link_back', mission.back_steps),
         forward_intact=intact(settings.link_forward, 'link_forward', mission.forward_steps),
-        pilot=streams.stack(
-            streams.pilot_draws(seed, run, steps) for run in runs) if flown else None,
-        skill=np.array([streams.skill_normal(seed, settings.pilot.operator_of(run))
-                        for run in runs]) if flown else None)
+        pilot=streams.pilot_draws_of_runs(seed, runs, steps) if flown else None,
+        skill=streams.skill_normals(
+            seed, [settings.pilot.operator_of(run) for run in runs]) if flown else None)
 
 
-def _key(s: LoopSettings, runs: Sequence[int]) -> tuple:
+def draws_key(s: LoopSettings, runs: Sequence[int]) -> tuple:
+    """Return what must be equal for settings to share the draws of runs."""
     mission = s.mission
     return (tuple(runs), mission.seed, mission.last_step, mission.step_ns, mission.back_steps,
             mission.forward_steps, s.link_back, s.link_forward, mission.operator == 'model',

@@ -29,7 +29,8 @@ CAPTIONS = {
         'Link delays',
         'Transit time of each frame that was released, over the time it was sent, and their '
         'distribution. Dashed: the constant delay that the play-out buffer makes of it; a frame '
-        'that takes longer, or is lost, is never released.'),
+        'that takes longer, or is lost, is never released. Of a long run only every n-th dot is '
+        'drawn.'),
 }
 
 STYLE = '''

@@ -7,7 +7,7 @@ from math import exp, inf, sqrt
 import numpy as np
 import pytest
 
-from rvd_campaign.ceiling import best_margin, ceiling, _of, _World
+from rvd_campaign.ceiling import _of, _World, best_margin, ceiling, main
 from rvd_campaign.loop import fly, LoopSettings
 from rvd_dynamics.judge import Judge
 from rvd_dynamics.link.models import LinkParams
@@ -128,6 +128,21 @@ def test_rows_do_not_depend_on_the_batch():
     assert _of(world([0.0]*6), [0]).start.shape == (1, 6)
 
 
-def test_negative_first_step_is_refused():
+def test_impossible_questions_are_refused():
     with pytest.raises(ValueError, match='first_step must not be negative, got -1'):
         ceiling(PAPER, range(3), first_step=-1)
+    with pytest.raises(ValueError, match='runs must be one or more, got none'):
+        ceiling(PAPER, [])
+
+
+def test_shown_beside_what_a_law_reached(tmp_path, capsys):
+    (tmp_path / 'own.yaml').write_text('auto_controller: {ros__parameters: {law: none}}')
+    main([str(tmp_path / 'own.yaml'), '--runs', '50'])
+    lines = dict(line.split(None, 1) for line in capsys.readouterr().out.splitlines())
+    counts = [int(lines[name].split()[0]) for name in ('outside', 'left', 'refuted', 'docked',
+                                                       'open')]
+    assert sum(counts) == 50
+    assert 0.5 < float(lines['flown'].split(',')[0]) < float(lines['ceiling'].split()[-1])
+    with pytest.raises(SystemExit):
+        main([str(tmp_path / 'absent.yaml')])
+    assert 'cannot read scenario' in capsys.readouterr().err

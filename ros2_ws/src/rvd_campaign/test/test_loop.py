@@ -184,7 +184,8 @@ def test_conditions_are_paired():
 
 
 @pytest.mark.parametrize('other', [
-    settings(seed=1), settings(back_delay_s=4.0), settings(step_s=0.25),
+    settings(seed=1), settings(back_delay_s=4.0), settings(forward_delay_s=4.0),
+    settings(step_s=0.25), settings(timeout_s=150.0),
     settings(link_back=ROUGH), settings(operator='none')])
 def test_draws_of_another_flight_are_refused(other):
     with pytest.raises(ValueError, match='draws are of other runs'):
@@ -225,7 +226,7 @@ def test_nothing_done_leaves_the_corridor_where_the_drift_takes_it():
     assert verdict.exit_position[0, 0] == pytest.approx(x(exit_s), abs=1e-6)
 
 
-def test_prediction_is_as_good_as_the_specification_says():
+def test_prediction_is_as_good_as_the_documentation_says():
     """
     Rms at the instant of execution, filter settled: 24 and 6 mm, 0.4 and 0.9 mm/s.
 

@@ -74,17 +74,38 @@ def test_a_longer_run_begins_like_a_shorter_one(draw):
     assert np.array_equal(draw(400)[:100], draw(100))
 
 
-def test_shapes_of_a_run_and_of_stacked_runs():
+def test_shapes_of_a_run():
     assert streams.start_normals(0, 0).shape == (6,)
     assert streams.measurement_normals(0, 0, STEPS).shape == (STEPS, 6)
     assert streams.execution_normals(0, 0, STEPS).shape == (STEPS, 3)
-    runs = [streams.pilot_draws(0, run, STEPS) for run in range(3)]
-    assert [part.shape for part in runs[0]] == [(6,), (3,), (STEPS, 10), (STEPS, 6)]
-    stacked = streams.stack(runs)
-    assert [part.shape for part in stacked] == [(3, 6), (3, 3), (3, STEPS, 10), (3, STEPS, 6)]
-    assert np.array_equal(stacked.uniforms[2], runs[2].uniforms)
-    blocks = streams.stack(streams.start_normals(0, run) for run in range(4))
-    assert blocks.shape == (4, 6) and np.array_equal(blocks[3], streams.start_normals(0, 3))
+    draws = streams.pilot_draws(0, 0, STEPS)
+    assert [part.shape for part in draws] == [(6,), (3,), (STEPS, 10), (STEPS, 6)]
+
+
+@pytest.mark.parametrize('seed', [0, 1, 2**32 - 1, 2**32, 2**64 - 1])
+def test_draws_of_many_runs_are_those_of_each_run(seed):
+    # single runs are seeded by NumPy itself, many runs by our copy of its arithmetic
+    runs = [5, 0, 2**31, 2**32 - 1, 6]
+    many = streams.pilot_draws_of_runs(seed, runs, 7)
+    for i, run in enumerate(runs):
+        for ours, one in zip(many, streams.pilot_draws(seed, run, 7)):
+            assert np.array_equal(ours[i], one)
+    for ours, one in (
+            (streams.start_normals_of_runs(seed, runs),
+             [streams.start_normals(seed, run) for run in runs]),
+            (streams.normals_of_runs(seed, runs, 'measurement', 9, 6),
+             [streams.measurement_normals(seed, run, 9) for run in runs]),
+            (streams.normals_of_runs(seed, runs, 'execution', 9, 3),
+             [streams.execution_normals(seed, run, 9) for run in runs]),
+            (streams.skill_normals(seed, runs),
+             [streams.skill_normal(seed, run) for run in runs])):
+        assert np.array_equal(ours, one)
+
+
+@pytest.mark.parametrize('seed, runs', [(-1, [0]), (2**64, [0]), (0, [2**32])])
+def test_keys_out_of_range_are_refused_for_many_runs_too(seed, runs):
+    with pytest.raises(ValueError, match='must be between'):
+        streams.start_normals_of_runs(seed, runs)
 
 
 def test_skill_belongs_to_the_operator():
@@ -124,8 +145,8 @@ def test_neighbouring_runs_give_independent_first_draws():
 
 def test_normals_are_normal_and_uniforms_uniform():
     from scipy.stats import kstest
-    normals = streams.stack(streams.measurement_normals(9, run, STEPS) for run in range(20))
-    pilots = streams.stack(streams.pilot_draws(9, run, STEPS) for run in range(20))
+    normals = streams.normals_of_runs(9, range(20), 'measurement', STEPS, 6)
+    pilots = streams.pilot_draws_of_runs(9, range(20), STEPS)
     assert kstest(normals.ravel(), 'norm').pvalue > 1e-4
     assert kstest(pilots.normals.ravel(), 'norm').pvalue > 1e-4
     assert kstest(pilots.uniforms.ravel(), 'uniform').pvalue > 1e-4
@@ -133,7 +154,7 @@ def test_normals_are_normal_and_uniforms_uniform():
 
 
 def test_normals_and_uniforms_of_a_pilot_are_independent():
-    draws = streams.stack(streams.pilot_draws(4, run, STEPS) for run in range(50))
+    draws = streams.pilot_draws_of_runs(4, range(50), STEPS)
     count = draws.uniforms[..., 0].size
     score = np.sum(draws.normals[..., 0] * (draws.uniforms[..., 0] - 0.5)) * np.sqrt(12/count)
     assert abs(score) < ALARM

@@ -23,8 +23,8 @@ from rvd_interfaces.msg import RelativeState
 from visualization_msgs.msg import Marker, MarkerArray
 
 CONFIG = Path(__file__).resolve().parents[4] / 'config'
-TOPICS = {**graph.TOPICS,
-          **{t: f'{k.__module__.split(".")[0]}/msg/{k.__name__}' for t, k in markers.TOPICS.items()}}
+TOPICS = graph.TOPICS | {
+    t: f'{k.__module__.split(".")[0]}/msg/{k.__name__}' for t, k in markers.TOPICS.items()}
 MARKERS = [sys.executable, '-c', 'from rvd_dynamics.nodes.markers import main; main()']
 
 

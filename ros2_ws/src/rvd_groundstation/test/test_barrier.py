@@ -74,6 +74,7 @@ def along(rate, pilot):
 
 def test_wants_what_the_text_says():
     state, stick = states(4000, 1), sticks(4000, 2)
+    state[:800, 3] -= 0.2                                   # some stand still or go back
     wanted = Barrier(MISSION).wanted(state, stick)
     acted = 0
     for (x, y, z, rate, vy, vz), pilot, got in zip(state.tolist(), stick.tolist(),
@@ -135,6 +136,15 @@ def test_the_coriolis_push_is_met_early():
     station[:, 1] *= -1
     below = Barrier(MISSION).wanted(station, np.zeros((400, 3), dtype=np.int8))[:, 1]
     assert np.argmax(above < 0) < np.argmax(below > 0)
+
+
+def test_coupling_all_is_the_free_acceleration_of_relative_motion():
+    state, n, dt = states(200, 19), MISSION.orbit.mean_motion, 1e-2
+    there, back = cw.propagate(state, n, dt), cw.propagate(state, n, -dt)
+    free = (there - back)[:, 4:6] / (2.0*dt)
+    state[:, 4:6] = 0.0                                     # z'' = -n^2 z, y'' = 2n x' + 3n^2 y
+    drift = Barrier(MISSION, coupling='all')._ahead(np.ascontiguousarray(state.T)).drift
+    np.testing.assert_allclose(drift.T, free, rtol=0.0, atol=1e-11)
 
 
 @pytest.mark.parametrize('coupling', ['closing_rate', 'all'])

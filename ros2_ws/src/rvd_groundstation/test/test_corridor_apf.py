@@ -133,7 +133,7 @@ def test_boundary_takes_the_whole_delay_of_the_mission():
 
 @pytest.mark.parametrize('x, boundary, band', [(-30.0, 1.364, 0.509), (-2.5, 0.143, 0.288),
                                                (0.0, 0.300, 0.0)])
-def test_boundary_at_the_stations_of_the_specification(x, boundary, band):
+def test_boundary_at_the_stations_of_the_documentation(x, boundary, band):
     assert LAW.boundary(x) == pytest.approx(boundary, abs=6e-4)
     assert radius(x, CONE) - LAW.boundary(x) == pytest.approx(band, abs=6e-4)
 

@@ -13,6 +13,7 @@ import errno
 import fcntl
 import hashlib
 import importlib.metadata
+import itertools
 import json
 import os
 import shutil
@@ -24,6 +25,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
+from typing import Any
 
 import joblib
 
@@ -31,11 +33,12 @@ from rvd_campaign.campaign import results
 from rvd_campaign.campaign.progress import Progress
 from rvd_campaign.campaign.results import Stretch, Table
 from rvd_campaign.campaign.spec import Campaign, CampaignError, from_dict
-from rvd_campaign.loop import fly
+from rvd_campaign.loop import draw, draws_key, fly
 from rvd_campaign.scenario import Scenario
 
 KEPT, PARTS, RESULTS = 'campaign.json', 'parts', 'results.parquet'
 BATCH_STEPS = 200_000           # runs times steps that fly together: 150 MB of draws, full speed
+TOGETHER = 8                    # conditions that share the draws of their runs, at most
 SPARE_BYTES = 8 << 20           # of disk, for summary and report
 FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 MATTERS = ('numpy', 'scipy', 'filterpy')        # packages whose version may move a last bit
@@ -194,14 +197,14 @@ def _flown(campaign: Campaign, todo: list[Stretch], workers: Workers
            ) -> Iterator[tuple[Stretch, Table, float]]:
     """Yield stretches as they are finished, in any order."""
     code, parent = (code_hash(), *versions().values()), os.getpid()
-    scenarios = [c.scenario for c in campaign.conditions]
     with _backend(workers):
         pool = joblib.Parallel(n_jobs=workers.count, return_as='generator_unordered',
                                batch_size=1, pre_dispatch='2*n_jobs')
-        flown = pool(joblib.delayed(fly_stretch)(scenarios[s.condition], s, code, parent)
-                     for s in todo)
+        flown = pool(joblib.delayed(fly_together)(task, code, parent)
+                     for task in tasks(campaign, todo))
         try:
-            yield from flown
+            for finished in flown:
+                yield from finished
         finally:
             flown.close()                       # ends the workers when we leave early
 
@@ -221,10 +224,29 @@ def _backend(workers: Workers) -> Iterator[None]:
         yield
 
 
-def fly_stretch(scenario: Scenario, stretch: Stretch, code: tuple, parent: int
-                ) -> tuple[Stretch, Table, float]:
+Task = list[tuple[Scenario, Stretch]]           # of the same runs, with the same draws
+
+
+def tasks(campaign: Campaign, todo: list[Stretch]) -> Iterator[Task]:
+    """Yield stretches in handfuls that share their draws, which cost more than the flying."""
+    kinds: dict[Any, int] = {}
+    kind = [kinds.setdefault(draws_key(c.scenario.loop(), ()), len(kinds))
+            for c in campaign.conditions]
+    order = sorted(todo, key=lambda s: (s.first, s.count, kind[s.condition], s.condition))
+    for _, same in itertools.groupby(
+            order, key=lambda s: (s.first, s.count, kind[s.condition])):
+        while handful := list(itertools.islice(same, TOGETHER)):
+            yield [(campaign.conditions[s.condition].scenario, s) for s in handful]
+
+
+def fly_together(task: Task, code: tuple, parent: int) -> list[tuple[Stretch, Table, float]]:
     """
-    Fly one stretch; what a worker does.
+    Fly the same runs of several conditions; what a worker does.
+
+    Returns
+    -------
+    list of (stretch, table, seconds)
+        Seconds of one core: its own flying and its part of the drawing.
 
     Raises
     ------
@@ -237,8 +259,14 @@ def fly_stretch(scenario: Scenario, stretch: Stretch, code: tuple, parent: int
         raise CampaignError('a worker has another version of this software or of '
                             f'{", ".join(MATTERS)}')
     begun = time.thread_time()
-    table = results.rows(fly(scenario.loop(), stretch.runs))
-    return stretch, table, time.thread_time() - begun
+    draws = draw(task[0][0].loop(), task[0][1].runs)
+    each = (time.thread_time() - begun) / len(task)
+    made = []
+    for scenario, stretch in task:
+        begun = time.thread_time()
+        table = results.rows(fly(scenario.loop(), stretch.runs, draws=draws))
+        made.append((stretch, table, each + time.thread_time() - begun))
+    return made
 
 
 @lru_cache(maxsize=1)

@@ -221,14 +221,21 @@ def tables(path: Path, columns: list[str] | None = None) -> Iterator[tuple[str, 
     name, parts = None, []
     for group in range(file.num_row_groups):
         table = file.read_row_group(group, columns=['condition', *wanted])
-        here = table['condition'][0].as_py()
-        if parts and here != name:
-            yield name, from_arrow(pyarrow.concat_tables(parts))
-            parts = []
-        name = here
-        parts.append(table.select(wanted))
+        for here, rows_of in _spans(np.asarray(table['condition'].to_pylist())):
+            if parts and here != name:
+                yield name, from_arrow(pyarrow.concat_tables(parts))
+                parts = []
+            name = here
+            parts.append(table.slice(rows_of.start, len(rows_of)).select(wanted))
     if parts:
         yield name, from_arrow(pyarrow.concat_tables(parts))
+
+
+def _spans(names: NDArray) -> Iterator[tuple[str, range]]:
+    """Yield each stretch of equal names with its rows."""
+    edges = [0, *(np.flatnonzero(names[1:] != names[:-1]) + 1).tolist(), len(names)]
+    for first, end in zip(edges, edges[1:]):
+        yield str(names[first]), range(first, end)
 
 
 def write_whole(path: Path, text: str) -> None:

@@ -140,6 +140,12 @@ class LinkParams:
         """The transit model in use, with its settings."""
         return getattr(self, self.model)
 
+    @property
+    def has_faults(self) -> bool:
+        """Say whether any frame may be lost, copied, damaged or held up by chance."""
+        return max(self.loss_fraction, self.duplicate_fraction, self.corrupt_fraction,
+                   self.reorder_fraction) > 0.0
+
     @cached_property
     def outages_ns(self) -> tuple:
         """Pairs (start, end) of the outages that last [ns]; the end is not part of one."""

@@ -32,7 +32,8 @@ class LinkPlan:
     transit_ns: NDArray[np.int64]       # (steps, 2) [ns]; of no meaning where lost
     lost: NDArray[np.bool_]             # (steps, 2) the copy vanishes
     damaged: NDArray[np.bool_]          # (steps, 2) the payload of the copy is damaged
-    damage: NDArray[np.float64]         # (steps, 2) in [0, 1): which damage, see channel.damaged
+    damage: NDArray[np.float64]         # (steps, 2) which damage, see channel.damaged; of no
+                                        # meaning where the copy is not damaged
     duplicated: NDArray[np.bool_]       # (steps,) a second copy is made
     outage: NDArray[np.bool_]           # (steps,) sent during an outage: no copy gets through
 
@@ -95,8 +96,12 @@ def draw_plan(params: LinkParams, rng: np.random.Generator, mission_steps: int, 
     require(step_ns >= 1, 'step_ns', 'be positive', step_ns)
     require(hold_steps >= 0, 'hold_steps', 'not be negative', hold_steps)
     hold_ns = hold_steps * step_ns
-    uniforms = rng.random((mission_steps, UNIFORMS_PER_STEP))
-    rng.bit_generator.advance(FAR_AHEAD - uniforms.size)    # to one place, whatever the length
+    if params.has_faults:
+        uniforms = rng.random((mission_steps, UNIFORMS_PER_STEP))
+        rng.bit_generator.advance(FAR_AHEAD - uniforms.size)    # to one place, whatever the length
+    else:
+        uniforms = np.ones((mission_steps, UNIFORMS_PER_STEP))  # a draw is below 1: none strikes
+        rng.bit_generator.advance(FAR_AHEAD)
     transits = params.delay_model.delays(rng, (mission_steps, 2), hold_ns / 1e9)
     uniforms, transits = np.asfortranarray(uniforms), np.asfortranarray(transits)   # for speed
 

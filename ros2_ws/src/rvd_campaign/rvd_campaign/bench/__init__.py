@@ -1,0 +1,114 @@
+"""
+`./rvd bench`: how fast it is, as figures that can be compared within one run.
+
+The machine is whatever it is, so a figure is held against another one of the same minutes (the
+graph against a hollow one) or has a wide margin. Nothing fails for being slow: the table says what
+is met. A part is a module with `measure() -> dict` and a function here that makes rows of it.
+"""
+
+import argparse
+import json
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import NamedTuple
+
+from rvd_campaign.bench import processes
+
+
+class Row(NamedTuple):
+    """One line of the table; `met` is None where there is no target."""
+
+    what: str
+    figure: str
+    target: str = ''
+    met: bool | None = None
+
+
+def main(args: argparse.Namespace) -> int:
+    """Measure what is asked for, print the table, write the JSON; return the exit code."""
+    names = list(PARTS) if args.part == 'all' else [args.part]
+    content = {'machine': processes.machine(), 'time': time.strftime('%Y-%m-%dT%H:%M:%SZ',
+                                                                     time.gmtime())}
+    print(in_words(content['machine']), flush=True)
+    if content['machine']['load_1_min'] > 0.3:
+        print('other work is going on: ratios hold, times do not', flush=True)
+    for name in names:
+        measure, rows = PARTS[name]
+        content[name] = measure(args.quick)
+        print(f'\n{name}')
+        for row in rows(content[name]):
+            print(line(row), flush=True)
+    if args.out:
+        Path(args.out).write_text(json.dumps(content, indent=2) + '\n', encoding='utf-8')
+        print(f'\n{args.out}')
+    return 0
+
+
+def in_words(machine: dict) -> str:
+    """Return the machine as one line."""
+    return (f'{machine["cores"]} x {machine["cpu"]}, load {machine["load_1_min"]:.1f}, Python '
+            f'{machine["python"]}, numpy {machine["numpy"]}, rclpy {machine["rclpy"]}')
+
+
+def line(row: Row) -> str:
+    """Return a row as it is printed."""
+    verdict = {True: 'met', False: 'NOT met', None: ''}[row.met]
+    return f'  {row.what:<44} {row.figure:>12}   {row.target:<16} {verdict}'.rstrip()
+
+
+# -- the parts ----------------------------------------------------------------------------
+
+
+def _graph(quick: bool) -> dict:
+    from rvd_campaign.bench import graph
+    return graph.measure(repeats=1 if quick else 2)
+
+
+def _graph_rows(r: dict) -> list[Row]:
+    from rvd_campaign.bench.graph import cost, MAX_CPU_RATIO, MIN_STEPS_PER_S
+    rows = [Row('CPU per step, of a hollow rclpy graph', f'{r["cpu_ratio"]:.2f}',
+                f'<= {MAX_CPU_RATIO}', r['cpu_ratio'] <= MAX_CPU_RATIO),
+            Row('steps per second', f'{r["steps_per_s"]:.0f}', f'>= {MIN_STEPS_PER_S:g}',
+                r['steps_per_s'] >= MIN_STEPS_PER_S),
+            Row('  that the cores have CPU time for', f'{r["steps_per_s_possible"]:.0f}'),
+            Row('times real time', f'{r["steps_per_s"] * r["step_s"]:.1f}')]
+    for name, flights in (('ours', r['ours']), ('hollow', r['bare'])):
+        rows += [Row(f'  {name} {i + 1}: {f["steps"]} steps at {f["steps_per_s"]:.0f}/s',
+                     f'{cost(f) / 1000:.2f} ms/step') for i, f in enumerate(flights)]
+    ours, hollow = r['ours'][-1]['by_node'], r['bare'][-1]['by_node']
+    return rows + [Row(f'  {name}', f'{ours[name]:.0f} us', f'hollow {hollow[name]:.0f} us')
+                   for name in sorted(ours, key=ours.get, reverse=True)]
+
+
+def _flight(quick: bool) -> dict:
+    from rvd_campaign.bench import flight
+    return flight.measure(repeats=1 if quick else 3)
+
+
+def _flight_rows(r: dict) -> list[Row]:
+    from rvd_campaign.bench.flight import MAX_WALL_S, PARTS as parts
+    middle = sorted(r['flights'], key=lambda f: f['wall_s'])[len(r['flights']) // 2]
+    return [Row(f'{r["command"]}', f'{r["wall_s"]:.2f} s', f'< {MAX_WALL_S:g} s',
+                r['wall_s'] < MAX_WALL_S),
+            *(Row(f'  {words}', f'{middle[key]:.2f} s') for key, words in parts.items())]
+
+
+def _loop(quick: bool) -> dict:
+    from rvd_campaign.bench import loop
+    return loop.measure(batch=50 if quick else loop.BATCH)
+
+
+def _loop_rows(r: dict) -> list[Row]:
+    from rvd_campaign.bench.loop import MAX_ALONE_S
+    return [Row(f'one run of {r["steps"]} steps in process', f'{r["alone_s"]:.3f} s',
+                f'< {MAX_ALONE_S:g} s', r['alone_s'] < MAX_ALONE_S),
+            Row('  the first one, imports of the filter included', f'{r["first_s"]:.2f} s'),
+            Row(f'  a run in a batch of {r["batch"]}', f'{r["batch_ms_per_run"]:.2f} ms')]
+
+
+PARTS: dict[str, tuple[Callable[[bool], dict], Callable[[dict], list[Row]]]] = {
+    'loop': (_loop, _loop_rows),
+    'graph': (_graph, _graph_rows),
+    'flight': (_flight, _flight_rows),
+}

@@ -1,0 +1,66 @@
+"""
+A warm flight of the default scenario as a user starts it, and where its wall time goes.
+
+The parts are read from what the run leaves: the first and the last truth in the bag carry the wall
+time at which they were published, and `verdict.json` is written when every node has ended.
+"""
+
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+from statistics import median
+
+from mcap.records import Channel, Message
+
+from rvd_dynamics.recording.mcap_file import records
+
+TRUTH = '/truth/relative_state'
+MAX_WALL_S = 10.0
+COMMAND = ('fly', '--headless', '--pace', 'lockstep')
+PARTS = {'start_up_s': 'start-up', 'flight_s': 'flight', 'ending_s': 'ending',
+         'report_s': 'report'}
+
+
+def measure(repeats: int = 3) -> dict:
+    """
+    Fly `repeats` times after one that warms the machine up; return the figures.
+
+    Raises
+    ------
+    ValueError
+        If a flight cannot be flown; names what it said.
+    """
+    flights = [fly_once() for _ in range(1 + max(repeats, 1))][1:]
+    return {'command': ' '.join(('./rvd', *COMMAND)), 'flights': flights,
+            'wall_s': median(f['wall_s'] for f in flights)}
+
+
+def fly_once() -> dict:
+    """Fly once in a folder of its own; return the wall times [s]."""
+    with tempfile.TemporaryDirectory(prefix='rvd-bench-') as top:
+        run = Path(top) / 'run'
+        begun, clock = time.time(), time.monotonic()
+        done = subprocess.run(
+            [sys.executable, '-m', 'rvd_campaign.cli', *COMMAND, '--out', str(run)],
+            capture_output=True, text=True)
+        wall, ended = time.monotonic() - clock, time.time()
+        if done.returncode not in (0, 1):
+            raise ValueError(f'the flight ended with code {done.returncode}: {done.stderr.strip()}')
+        truths = published(run)
+        judged = (run / 'verdict.json').stat().st_mtime
+    return {'wall_s': round(wall, 2), 'steps': len(truths),
+            'start_up_s': round(truths[0] - begun, 2), 'flight_s': round(truths[-1] - truths[0], 2),
+            'ending_s': round(judged - truths[-1], 2), 'report_s': round(ended - judged, 2)}
+
+
+def published(run: Path) -> list[float]:
+    """Return the wall times at which the truths of a run were published [s]."""
+    times, channel = [], None
+    for record in records(next((run / 'bag').glob('*.mcap'))):
+        if isinstance(record, Channel) and record.topic == TRUTH:
+            channel = record.id
+        elif isinstance(record, Message) and record.channel_id == channel:
+            times.append(1e-9 * record.publish_time)
+    return sorted(times)

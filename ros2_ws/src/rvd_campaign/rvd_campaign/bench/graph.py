@@ -1,0 +1,190 @@
+"""
+The graph in lock step against a hollow rclpy graph of the same shape, turn about.
+
+Both are followed by `/run/recorded_step`, which the recorder (hollow or not) publishes every 16
+steps. At each the CPU time of every node process is noted; the figures are differences between a
+note in flight and the last one, so that start-up and end do not count.
+"""
+
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from dataclasses import dataclass, field
+from pathlib import Path
+from statistics import median
+
+from rclpy.context import Context
+from rclpy.executors import SingleThreadedExecutor
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+from std_msgs.msg import UInt64
+
+from rvd_campaign import catalogue
+from rvd_campaign.bench.processes import cpu_s
+from rvd_campaign.domain import reserved_domain
+from rvd_campaign.scenario import load, Scenario
+from rvd_campaign.supervisor import Supervisor
+from rvd_dynamics.ros import qos
+
+SCENARIO = 'hand'               # ten steps a second
+WARM_UP_STEPS = 96              # [steps] in flight before the measurement begins
+MAX_CPU_RATIO = 1.5
+MIN_STEPS_PER_S = 120.0         # 12 times real time at ten steps a second
+PATIENCE_S = 120.0              # [s] wall time for one flight, start included
+
+
+@dataclass
+class Meter:
+    """CPU time of processes by step, noted as the steps go by."""
+
+    steps: list[int] = field(default_factory=list)
+    times: list[float] = field(default_factory=list)                # [s] wall
+    used: list[dict[str, float]] = field(default_factory=list)      # [s] CPU by node
+
+    def note(self, step: int, pids: dict[str, int]) -> None:
+        """Note how much each node has used when the recorder has seen `step`."""
+        if step >= WARM_UP_STEPS:
+            self.steps.append(step)
+            self.times.append(time.monotonic())
+            self.used.append({name: cpu_s(pid) for name, pid in pids.items()})
+
+    def result(self) -> dict:
+        """
+        Return steps, steps per second and CPU time per step, by node and all together.
+
+        Raises
+        ------
+        ValueError
+            If fewer than two notes were taken.
+        """
+        if len(self.steps) < 2:
+            raise ValueError(f'the flight is too short to measure: it must last for more than '
+                             f'{WARM_UP_STEPS + 32} steps')
+        steps = self.steps[-1] - self.steps[0]
+        by_node = {name: round(1e6 * (self.used[-1][name] - before) / steps, 1)
+                   for name, before in self.used[0].items()}
+        return {'steps': steps,
+                'steps_per_s': round(steps / (self.times[-1] - self.times[0]), 1),
+                'cpu_us_per_step': round(sum(by_node.values()), 1),
+                'by_node': by_node}
+
+
+class Observer:
+    """Listens to the recorder's steps, in a context of its own."""
+
+    def __init__(self, domain: int) -> None:
+        self._context = Context()
+        self._context.init(domain_id=domain)
+        self._node = Node('rvd_bench', context=self._context, enable_rosout=False,
+                          start_parameter_services=False, parameter_overrides=[
+                              Parameter('start_type_description_service', value=False)])
+        self._executor = SingleThreadedExecutor(context=self._context)
+        self._executor.add_node(self._node)
+        self._steps: list[int] = []
+        self._node.create_subscription(
+            UInt64, '/run/recorded_step', lambda m: self._steps.append(m.data),
+            qos.of('/run/recorded_step'))
+
+    def follow(self, ended, pids) -> Meter:
+        """
+        Note every step that is reported until `ended()`; `pids()` are the nodes by name.
+
+        Raises
+        ------
+        ValueError
+            If it does not end in time.
+        """
+        meter, deadline = Meter(), time.monotonic() + PATIENCE_S
+        while not ended():
+            self._executor.spin_once(timeout_sec=0.2)
+            for step in self._steps:
+                meter.note(step, pids())
+            self._steps.clear()
+            if time.monotonic() > deadline:
+                raise ValueError(f'a measured flight did not end in {PATIENCE_S:g} s')
+        return meter
+
+    def close(self) -> None:
+        """Leave the graph."""
+        self._executor.shutdown()
+        self._node.destroy_node()
+        self._context.try_shutdown()
+
+
+def fly_ours(scenario: Path, folder: Path, domain: int) -> tuple[Meter, list[str]]:
+    """Fly the scenario with the real graph; return the notes and the names of its nodes."""
+    (folder / 'logs').mkdir(parents=True)
+    supervisor = Supervisor(catalogue.root() / 'scripts' / 'bringup.sh', scenario, folder,
+                            headless=False, domain=domain)
+    observer = Observer(domain)
+
+    def pids() -> dict[str, int]:
+        supervisor.poll()
+        return supervisor.pids
+
+    try:
+        meter = observer.follow(lambda: supervisor.ended, pids)
+    finally:
+        supervisor.stop()
+        observer.close()
+    for name, code in supervisor.failures().items():
+        raise ValueError(f'{name} ended with code {code}: {supervisor.last_words(name)}')
+    return meter, list(supervisor.pids)
+
+
+def fly_bare(scenario: Path, steps: int, names: list[str], domain: int) -> Meter:
+    """Run the hollow graph of the same nodes for as many steps."""
+    environment = {**os.environ, 'ROS_DOMAIN_ID': str(domain)}
+    processes = {name: subprocess.Popen(
+        [sys.executable, '-m', 'rvd_campaign.bench.bare', name, str(scenario), str(steps),
+         ','.join(names)], env=environment, stdin=subprocess.DEVNULL) for name in names}
+    observer = Observer(domain)
+    try:
+        return observer.follow(lambda: any(p.poll() is not None for p in processes.values()),
+                               lambda: {name: p.pid for name, p in processes.items()})
+    finally:
+        observer.close()
+        for process in processes.values():
+            try:
+                process.wait(5.0)
+            except subprocess.TimeoutExpired:
+                process.kill()
+                process.wait()
+
+
+def measure(repeats: int = 2, name: str = SCENARIO) -> dict:
+    """
+    Fly the real and the hollow graph turn about, `repeats` times each; return the figures.
+
+    Raises
+    ------
+    ValueError
+        If a flight does not come to its end.
+    """
+    ours, bare = [], []
+    with tempfile.TemporaryDirectory(prefix='rvd-bench-') as top, reserved_domain() as domain:
+        path = Path(top) / 'scenario.yaml'
+        scenario = lockstep(load(catalogue.find('scenarios', name, ('.yaml',))))
+        path.write_text(scenario.dump(), encoding='utf-8')
+        for repeat in range(repeats):
+            meter, names = fly_ours(path, Path(top) / f'run{repeat}', domain)
+            ours.append(meter.result())
+            bare.append(fly_bare(path, meter.steps[-1], names, domain).result())
+    return {'scenario': name, 'nodes': names, 'ours': ours, 'bare': bare,
+            'cpu_ratio': median(cost(o) / cost(b) for o, b in zip(ours, bare)),
+            'steps_per_s': median(o['steps_per_s'] for o in ours),
+            'steps_per_s_possible':
+                1e6 * len(os.sched_getaffinity(0)) / median(cost(o) for o in ours),
+            'step_s': scenario.mission.step_s}
+
+
+def cost(result: dict) -> float:
+    """Return the CPU time per step of one flight [us]."""
+    return result['cpu_us_per_step']
+
+
+def lockstep(scenario: Scenario) -> Scenario:
+    """Return the scenario as fast as it goes, with the pilot that needs no hand."""
+    return scenario.with_values('/**', pace='lockstep', operator='model', joy_input='stepped')

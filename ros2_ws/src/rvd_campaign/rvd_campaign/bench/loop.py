@@ -1,0 +1,34 @@
+"""
+The in-process loop of the default scenario: one run alone, and the price of a run in a batch.
+"""
+
+import time
+
+from rvd_campaign import catalogue
+from rvd_campaign.loop import fly
+from rvd_campaign.scenario import load
+
+MAX_ALONE_S = 0.2
+BATCH = 1000
+
+
+def measure(repeats: int = 5, batch: int = BATCH) -> dict:
+    """
+    Fly run 0 `repeats` times after a first one, then `batch` runs at once; return the times.
+
+    The best of the repeats counts: the loop waits for nothing, so what is above it is other work
+    on the machine.
+    """
+    settings = load(catalogue.find('scenarios', 'paper', ('.yaml',))).loop()
+    first, flight = _timed(settings, [0])
+    alone = [_timed(settings, [0])[0] for _ in range(max(repeats, 1))]
+    together, _ = _timed(settings, range(batch))
+    return {'steps': int(flight.end_step[0]), 'alone_s': round(min(alone), 4),
+            'first_s': round(first, 3), 'batch': batch,
+            'batch_ms_per_run': round(1e3 * together / batch, 3)}
+
+
+def _timed(settings, runs) -> tuple[float, object]:
+    begun = time.perf_counter()
+    flight = fly(settings, runs)
+    return time.perf_counter() - begun, flight

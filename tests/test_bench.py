@@ -1,0 +1,80 @@
+"""The benchmarks measure what they say; how fast this machine is, is not tested."""
+
+import json
+
+import pytest
+from rclpy.serialization import serialize_message
+from rosbags.highlevel import AnyReader
+from runs import rvd
+
+from rvd_campaign.bench import graph, line, Row
+from rvd_campaign.bench.bare import prebuilt, set_step
+from rvd_dynamics.mission import Mission
+from rvd_dynamics.ros.graph import NODES
+
+STEPPED = sorted({topic for spec in NODES.values() for topic in spec.emits})
+
+
+@pytest.mark.parametrize('topic', STEPPED)
+def test_hollow_messages_are_as_long_as_ours(flight, topic):
+    message = prebuilt(topic, Mission())
+    set_step(message, 200, Mission().step_ns)
+    with AnyReader([flight.run / 'bag']) as reader:
+        connections = [c for c in reader.connections if c.topic == topic]
+        ours = [len(data) for _, _, data in reader.messages(connections=connections)]
+    assert -(-len(serialize_message(message)) // 4) * 4 == max(ours)     # DDS pads to words
+
+
+def test_cost_is_counted_between_two_steps_in_flight(monkeypatch):
+    used = {7: [3.0, 3.1, 3.5], 8: [1.0, 1.2, 1.4]}             # [s] by pid
+    clock = iter([10.0, 11.0, 14.0])
+    monkeypatch.setattr(graph, 'cpu_s', lambda pid: used[pid].pop(0))
+    monkeypatch.setattr(graph.time, 'monotonic', lambda: next(clock))
+    meter = graph.Meter()
+    for step in (16, graph.WARM_UP_STEPS, graph.WARM_UP_STEPS + 400, graph.WARM_UP_STEPS + 1000):
+        meter.note(step, {'a': 7, 'b': 8})
+    result = meter.result()
+    assert result == {'steps': 1000, 'steps_per_s': 250.0, 'cpu_us_per_step': 900.0,
+                      'by_node': {'a': 500.0, 'b': 400.0}}
+
+
+def test_a_flight_that_is_too_short_is_refused():
+    with pytest.raises(ValueError, match='too short'):
+        graph.Meter().result()
+
+
+def test_a_line_says_whether_the_target_is_met():
+    assert line(Row('it', '3 s', '< 2 s', False)).endswith('NOT met')
+    assert line(Row('it', '1 s', '< 2 s', True)).endswith('  met')
+    assert line(Row('it', '1 s')).endswith('1 s')
+
+
+def test_bench_leaves_its_figures_as_json(tmp_path):
+    done = rvd('bench', 'loop', '--quick', '--out', 'figures.json', cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    content = json.loads((tmp_path / 'figures.json').read_text())
+    assert content['machine']['cores'] >= 1
+    assert content['loop']['steps'] > 200 and 0.0 < content['loop']['alone_s'] < 10.0
+    assert 'one run of' in done.stdout
+
+
+@pytest.mark.slow
+def test_real_and_hollow_graph_fly_with_the_same_nodes(monkeypatch):
+    monkeypatch.delenv('ROS_DOMAIN_ID', raising=False)
+    result = graph.measure(repeats=1, name='paper')
+    ours, hollow = result['ours'][0], result['bare'][0]
+    assert len(result['nodes']) == 12
+    assert set(ours['by_node']) == set(hollow['by_node']) == set(result['nodes'])
+    assert ours['steps'] >= 128 and hollow['steps'] >= 112
+    assert all(cost > 0.0 for cost in (*ours['by_node'].values(), *hollow['by_node'].values()))
+    assert 0.2 < result['cpu_ratio'] < 3.0
+
+
+@pytest.mark.slow
+def test_a_flight_is_timed_in_parts_that_add_up(tmp_path):
+    done = rvd('bench', 'flight', '--quick', '--out', 'figures.json', cwd=tmp_path, timeout=300.0)
+    assert done.returncode == 0, done.stderr
+    for timed in json.loads((tmp_path / 'figures.json').read_text())['flight']['flights']:
+        parts = [timed[key] for key in ('start_up_s', 'flight_s', 'ending_s', 'report_s')]
+        assert min(parts) > 0.0
+        assert sum(parts) == pytest.approx(timed['wall_s'], abs=0.2)
