@@ -150,6 +150,7 @@ def test_a_lost_page_is_a_lost_pilot_and_abort_needs_no_lease(console, browser):
     until(watcher, "rvd.store.status.lease === 'you'")
     watcher.evaluate("(() => { rvd.link.ask({ do: 'stop' }); })()")
     until(watcher, "rvd.store.status.phase === 'ended'")
+    wait_for(lambda: (run / 'verdict.json').exists(), 'verdict.json')   # the bag is closed
     sent = next(m for m in messages(run, '/ground/command') if m.kind == 3)
     acts = next(m for m in messages(run, '/onboard/thruster_command') if m.kind == 3)
     assert acts.step - sent.step < 10           # 10 steps is the play-out delay: it skips that

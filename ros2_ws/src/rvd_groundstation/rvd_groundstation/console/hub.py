@@ -13,8 +13,8 @@ from dataclasses import dataclass, field
 from typing import Any, Callable, Protocol
 
 from rvd_dynamics.mission import Mission
-from rvd_groundstation.console.clients import Outbox
 from rvd_groundstation.console.access import Throttle
+from rvd_groundstation.console.clients import Outbox
 from rvd_groundstation.console.feed import Feed
 from rvd_groundstation.console.lease import Lease
 from rvd_groundstation.console.protocol import (

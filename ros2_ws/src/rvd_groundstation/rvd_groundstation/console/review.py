@@ -1,61 +1,44 @@
 """
-Finished runs for the page's review: what the pilot saw, again, and beside it the truth.
+Finished runs for the page's review: their list, and the reader that is run for one of them.
 
-The bag is put through the same `Feed` that fills the live page, so a review shows what was
-shown. Only finished runs are given out (the server sees to that): their bags hold the truth.
+A run's bag holds the truth, which the ground must not know: it is read by a process of its own,
+`python -m rvd_campaign.replay`, whose output goes to the page as it is.
 """
 
+import asyncio
 import json
-from collections.abc import Callable
+import sys
 from pathlib import Path
 from typing import Any
 
-from mcap.records import Channel, Message, Schema
-from mcap_ros2.decoder import DecoderFactory
-import numpy as np
-import yaml
-
-from rvd_dynamics.link.frame import Downlink, unpack_downlink
-from rvd_dynamics.mission import Mission
-from rvd_dynamics.params import build, leaves
-from rvd_dynamics.recording.mcap_file import records
-from rvd_groundstation.console.feed import Feed
-from rvd_groundstation.console.protocol import encode
-
-MOST_FRAMES = 900
+READER = (sys.executable, '-m', 'rvd_campaign.replay')
 MOST_RUNS = 200                 # rows of the list, newest first
 DEEPEST = 3                     # folders below the runs folder that are looked through
-NS_PER_S = 1_000_000_000
-TOPICS = ('/run/scenario', '/truth/relative_state', '/ground/telemetry', '/ground/estimate',
-          '/ground/prediction', '/ground/prediction_score', '/ground/auto_command',
-          '/ground/command', '/link/back/status', '/run/events', '/run/verdict')
-LINK = ('sent', 'delivered', 'late', 'lost', 'outage', 'corrupted', 'in_flight', 'queued',
-        'delay_p50', 'delay_p99', 'delay_max')
+SHOWN = ('reason', 'success', 'mode', 'seed', 'operator', 'scenario')
 
 
 def listing(runs: Path | None) -> list[dict[str, Any]]:
     """Return a row per finished run below `runs`: name, reason, success, mode, seed."""
-    rows = []
+    files = []
     if runs is None:
-        return rows
+        return files
     for depth in range(1, DEEPEST + 1):
         for file in runs.glob('/'.join(['*'] * depth + ['verdict.json'])):
-            rows.append((file.stat().st_mtime, file))
+            files.append((file.stat().st_mtime, file))
     made = []
-    for _, file in sorted(rows, reverse=True)[:MOST_RUNS]:
+    for _, file in sorted(files, reverse=True)[:MOST_RUNS]:
         try:
             content = json.loads(file.read_text(encoding='utf-8'))
         except (OSError, ValueError):
             continue
         made.append({'name': str(file.parent.relative_to(runs)),
-                     **{key: content.get(key) for key in ('reason', 'success', 'mode', 'seed',
-                                                          'operator', 'scenario')}})
+                     **{key: content.get(key) for key in SHOWN}})
     return made
 
 
-def load(runs: Path | None, name: str) -> str:
+async def load(runs: Path | None, name: str) -> bytes:
     """
-    Return a finished run as JSON text: run message, frames with truth, events, verdict.
+    Return a finished run as JSON: run message, frames with truth, events, verdict.
 
     Raises
     ------
@@ -64,155 +47,14 @@ def load(runs: Path | None, name: str) -> str:
     ValueError
         If its bag holds nothing that can be shown.
     """
-    if runs is None:
+    if runs is None or name.startswith('-'):
         raise FileNotFoundError(name)
-    root = runs.resolve()
-    folder = (root / name).resolve()
-    if root not in folder.parents or not (folder / 'verdict.json').is_file():
-        raise FileNotFoundError(name)           # also whatever points out of the runs folder
-    files = sorted((folder / 'bag').glob('*.mcap'))
-    if not files:
-        raise ValueError('this run has no bag')
-    replay = Replay(name)
-    for topic, message in messages(files):
-        replay.take(topic, message)
-    return encode(replay.content())
-
-
-def messages(files: list[Path]) -> Any:
-    """Yield (topic, decoded message) of the topics that a review shows, in file order."""
-    for file in files:
-        factory, schemas, readers = DecoderFactory(), {}, {}
-        for record in records(file):
-            if isinstance(record, Message):
-                topic, decode = readers.get(record.channel_id, ('', None))
-                if decode is not None:
-                    yield topic, decode(record.data)
-            elif isinstance(record, Schema):
-                schemas[record.id] = record
-            elif isinstance(record, Channel) and record.topic in TOPICS:
-                readers[record.id] = (record.topic, factory.decoder_for(
-                    record.message_encoding, schemas.get(record.schema_id)))
-
-
-class Replay:
-    """Fills a feed from a bag and keeps its frames."""
-
-    def __init__(self, name: str) -> None:
-        self._name = name
-        self._feed: Feed | None = None
-        self._every = 1
-        self._truth: dict[int, list[float]] = {}
-        self._frames: list[dict] = []
-        self._events: list[dict] = []
-        self._verdict: dict | None = None
-        self._takers: dict[str, Callable] = {
-            '/ground/telemetry': self._telemetry, '/ground/estimate': self._estimate,
-            '/ground/prediction': self._prediction, '/ground/prediction_score': self._score,
-            '/ground/auto_command': self._auto, '/ground/command': self._command,
-            '/link/back/status': self._link, '/truth/relative_state': self._on_truth,
-            '/run/events': self._event, '/run/verdict': self._on_verdict}
-
-    def take(self, topic: str, message: Any) -> None:
-        """Take one message."""
-        if topic == '/run/scenario':
-            mission = mission_of(message.data)
-            self._feed = Feed(mission)
-            self._every = max(1, -(-mission.last_step // MOST_FRAMES))
-        elif self._feed is not None:
-            self._takers[topic](message)
-
-    def content(self) -> dict[str, Any]:
-        """Return all of it."""
-        if self._feed is None or not self._frames:
-            raise ValueError('the bag of this run holds nothing that can be shown')
-        for frame in self._frames:
-            frame['truth'] = self._truth.get(frame['k'])
-        return {**self._feed.run_message(self._name), 'type': 'review', 'frames': self._frames,
-                'ladder': self._feed.ladder.changes(), 'events': self._events,
-                'verdict': self._verdict}
-
-    def _telemetry(self, m: Any) -> None:
-        if m.empty:
-            return
-        content = unpack_downlink(bytes(m.payload))
-        if isinstance(content, Downlink) and np.isfinite(content.state).all():
-            self._feed.telemetry(m.step, m.sent, m.arrived, content.generated_ns, content.state,
-                                 content.accepted_sequence, content.refusal)
-        else:
-            self._feed.telemetry_lost(m.step, getattr(content, 'name', 'NAN'))
-
-    def _state(self, name: str, m: Any) -> None:
-        covariance = np.array(m.covariance).reshape(6, 6)
-        sigma = None if np.isnan(covariance[0, 0]) else np.sqrt(
-            np.maximum(covariance.diagonal(), 0.0))
-        self._feed.state(name, m.step, _ns(m), np.array(_state(m)), sigma, m.valid)
-
-    def _estimate(self, m: Any) -> None:
-        self._state('est', m)
-
-    def _prediction(self, m: Any) -> None:
-        self._state('pred', m)
-
-    def _score(self, m: Any) -> None:
-        if m.valid:
-            e, v = m.position_error, m.velocity_error
-            self._feed.score(m.step, _ns(m), [e.x, e.y, e.z, v.x, v.y, v.z], list(m.sigma),
-                             list(m.rms), m.scored)
-
-    def _auto(self, m: Any) -> None:
-        self._feed.automatic(list(m.levels), m.valid)
-
-    def _link(self, m: Any) -> None:
-        self._feed.link({name: getattr(m, name) for name in LINK})
-
-    def _command(self, m: Any) -> None:
-        self._feed.command(m.step, m.sequence, m.kind, list(m.levels), m.decided_by,
-                           m.pilot_weight, m.reason)
-        if m.step % self._every == 0:
-            frame = self._feed.frame(self._feed.ladder.version)
-            del frame['type'], frame['ladder']
-            self._frames.append(frame)
-
-    def _on_truth(self, m: Any) -> None:
-        if m.step % self._every == 0 or m.final:
-            self._truth[m.step] = _state(m)
-
-    def _event(self, m: Any) -> None:
-        self._events.append({'t': m.step * self._feed.mission.step_s, 'node': m.node,
-                             'code': m.code, 'text': m.text})
-
-    def _on_verdict(self, m: Any) -> None:
-        if m.final:
-            self._verdict = {
-                'success': m.success, 'reason': m.reason, 'duration': m.duration,
-                'closing': m.x_rate, 'offset': m.offset, 'lateral': m.lateral_rate,
-                'margin': m.min_corridor_margin, 'exit': m.exit_time, 'delta_v': m.delta_v}
-
-
-def mission_of(scenario: str) -> Mission:
-    """Return the shared settings of a scenario text, passing over what this version lacks."""
-    try:
-        given = _dotted(yaml.safe_load(scenario)['/**']['ros__parameters'])
-        known = {key for key, _ in leaves(Mission)}
-        return build(Mission, {key: value for key, value in given.items() if key in known})
-    except (yaml.YAMLError, ValueError, KeyError, TypeError, AttributeError):
-        return Mission()
-
-
-def _dotted(tree: dict, prefix: str = '') -> dict[str, Any]:
-    flat = {}
-    for key, value in tree.items():
-        flat.update(_dotted(value, f'{prefix}{key}.') if isinstance(value, dict)
-                    else {f'{prefix}{key}': value})
-    return flat
-
-
-def _ns(message: Any) -> int:
-    stamp = message.header.stamp
-    return stamp.sec * NS_PER_S + stamp.nanosec
-
-
-def _state(message: Any) -> list[float]:
-    p, v = message.position, message.velocity
-    return [p.x, p.y, p.z, v.x, v.y, v.z]
+    reader = await asyncio.create_subprocess_exec(
+        *READER, str(runs), name, stdin=asyncio.subprocess.DEVNULL,
+        stdout=asyncio.subprocess.PIPE, stderr=asyncio.subprocess.PIPE)
+    body, complaint = await reader.communicate()
+    if reader.returncode == 1:
+        raise FileNotFoundError(name)
+    if reader.returncode != 0:
+        raise ValueError(complaint.decode(errors='replace').strip().rsplit('\n', 1)[-1])
+    return body

@@ -146,12 +146,12 @@ class Server:
         if self._under_way(name):               # its bag holds the truth
             return _plain(409, 'this run is still under way')
         try:
-            body = await asyncio.to_thread(review.load, self._runs, name)
+            body = await review.load(self._runs, name)
         except FileNotFoundError:
             return _plain(404, 'no such run')
         except ValueError as error:
             return _plain(422, str(error))
-        response = web.Response(text=body, content_type='application/json')
+        response = web.Response(body=body, content_type='application/json')
         response.enable_compression()
         return response
 

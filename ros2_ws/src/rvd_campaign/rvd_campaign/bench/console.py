@@ -58,16 +58,6 @@ def measure(quick: bool = False) -> dict[str, Any]:
     return figures
 
 
-def lines(figures: dict[str, Any]) -> list[str]:
-    """Return the figures as they are printed, each with its goal."""
-    made = []
-    for name, value in figures.items():
-        goal = GOALS.get(name)
-        words = '' if goal is None else f'below {goal:g}: ' + ('met' if value < goal else 'NOT met')
-        made.append(f'  {name:<28}{value:>12.5g}   {words}'.rstrip())
-    return made
-
-
 def bundle_bytes() -> int:
     """Return the size of the built page."""
     from rvd_groundstation.console.server import STATIC
@@ -236,7 +226,4 @@ async def _watch(url: str) -> None:
 
 
 if __name__ == '__main__':
-    if len(sys.argv) > 1:
-        asyncio.run(_watch(sys.argv[1]))
-    else:
-        print('\n'.join(lines(measure())))
+    asyncio.run(_watch(sys.argv[1]))
