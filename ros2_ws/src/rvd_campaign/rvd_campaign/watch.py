@@ -1,7 +1,8 @@
 """
 The eyes of `fly`: a light node that follows a run from outside the ring.
 
-It takes raw messages and decodes one only when it is shown, so that it does not slow the graph.
+It looks at the newest raw message of each topic some times a second and decodes one only when it is
+shown, so that it does not slow the graph.
 """
 
 import time
@@ -12,6 +13,7 @@ from rclpy.context import Context
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.parameter import Parameter
+from rclpy.qos import QoSProfile
 from rclpy.serialization import deserialize_message
 
 from rvd_dynamics.codes import BY_AUTO, BY_BLEND, BY_GUARD, BY_NOBODY, BY_PILOT
@@ -20,6 +22,7 @@ from rvd_dynamics.ros import graph, qos
 
 SHOWN = ('/truth/relative_state', '/ground/command', '/link/back/status', '/link/forward/status')
 SETTLE_S = 3.0                  # [s] wall time without news after which a look back is complete
+GLANCE_S = 0.05                 # [s] wall time between two looks at the flight
 DECIDES = {BY_NOBODY: 'nobody', BY_PILOT: 'pilot', BY_AUTO: 'auto', BY_GUARD: 'guard'}
 
 
@@ -46,7 +49,7 @@ class FlightWatch:
         self.paused = False
         self.verdict = None
         self.events: list[Any] = []
-        self.steps = 0                          # truth messages seen
+        self.steps = 0                          # truth messages looked at
         self.progress_at = time.monotonic()     # when the last one came
         for topic in SHOWN:
             self._subscribe(topic, lambda data, topic=topic: self._keep(topic, data), raw=True)
@@ -56,15 +59,17 @@ class FlightWatch:
         self._subscribe('/run/events', self.events.append)
 
     def _subscribe(self, topic: str, callback: Any, raw: bool = False) -> None:
+        profile = qos.of(topic, self._mission.joy_input)
         self._node.create_subscription(
             message_type(graph.TOPICS[topic]), topic, callback,
-            qos.of(topic, self._mission.joy_input), raw=raw)
+            _newest(profile) if raw else profile, raw=raw)
 
     def _keep(self, topic: str, data: bytes) -> None:
         self._raw[topic] = data
         if topic == '/truth/relative_state':
             self.steps += 1
             self.progress_at = time.monotonic()
+            time.sleep(GLANCE_S)                # what comes meanwhile replaces what came before
 
     def _on_pause(self, message: Any) -> None:
         self.paused = message.data
@@ -140,6 +145,10 @@ class FlightWatch:
         self._executor.shutdown()
         self._node.destroy_node()
         self._context.try_shutdown()
+
+
+def _newest(profile: QoSProfile) -> QoSProfile:
+    return QoSProfile(depth=1, reliability=profile.reliability, durability=profile.durability)
 
 
 def _decides(command: Any) -> str:

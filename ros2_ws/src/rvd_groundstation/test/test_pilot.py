@@ -8,12 +8,17 @@ from numpy.testing import assert_array_equal
 import pytest
 
 from rvd_dynamics.mission import Mission
-from rvd_dynamics.streams import pilot_draws, PilotDraws, skill_normal, stack
+from rvd_dynamics.streams import pilot_draws, PilotDraws, skill_normal
 from rvd_groundstation.operators.pilot import Pilot, PilotParams, PILOTS, with_display
 
 STEPS = 300
 QUIET = PilotParams(rate_bias_m_s=0.0, position_bias_m=0.0, position_bias_per_m=0.0,
                     slip_fraction=0.0, lapse_interval_s=1e12, skill_spread=0.0)
+
+
+def stack(draws):
+    """Return the draws of single runs with a leading axis."""
+    return PilotDraws(*(np.stack(part) for part in zip(*draws)))
 
 
 class Scalar:

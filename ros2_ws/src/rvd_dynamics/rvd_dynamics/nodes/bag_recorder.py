@@ -66,7 +66,8 @@ class BagRecorder(WatchNode):
         self._steps = self.writer(RECORDED_STEP, UInt64)
         for topic in self._owed():
             self._ledger.expect(topic)
-        for topic, kind in graph.TOPICS.items():
+        # The executor looks in the order of creation: the scenario before what came with it.
+        for topic, kind in sorted(graph.TOPICS.items(), key=lambda item: item[0] != SCENARIO):
             if topic not in NOT_RECORDED:
                 self._record(topic, kind, qos.of(topic, self.mission.joy_input))
         self._bag.describe()

@@ -30,7 +30,7 @@ from rvd_dynamics.ros.conversions import header_at
 from rvd_dynamics.ros.params import declare
 from rvd_interfaces.msg import RunEvent
 
-BARRIER_PERIOD_S = 0.02         # [s] wall time between two looks at the endpoints
+BARRIER_PERIOD_S = 0.05         # [s] wall time between two looks at the endpoints
 DIAGNOSTICS_PERIOD_S = 1.0      # [s] wall time
 LINGER_S = 2.0                  # [s] wall time a closing writer waits for its readers
 REST_S = 0.03                   # [s] wall time a watcher that has caught up lets messages gather

@@ -27,13 +27,14 @@ class StatePredictor(StepNode):
 
     def __init__(self) -> None:
         super().__init__('state_predictor')
-        self._predictor = Predictor(self.settings(PredictorParams), self.mission)
-        self._score = Score(self.mission)
         self.step_input('/ground/telemetry', LinkFrame)
         self.step_input('/ground/command', ThrustCommand, lag=1, early=True)
         self._estimate = self.step_output('/ground/estimate', RelativeState)
         self._prediction = self.step_output('/ground/prediction', RelativeState)
         self._scored = self.step_output('/ground/prediction_score', PredictionScore)
+        # After the endpoints, which find their partners while filterpy is imported.
+        self._predictor = Predictor(self.settings(PredictorParams), self.mission)
+        self._score = Score(self.mission)
 
     def on_step(self, step: int, telemetry: LinkFrame | None, command: ThrustCommand | None
                 ) -> None:
