@@ -91,11 +91,9 @@ class ConsoleProcess:
             return True
         return True
 
-    def tell(self, phase: str, note: str = '', run: str | None = None) -> None:
-        """Let the page know how it goes."""
-        message = {'phase': phase, 'note': note}
-        if run is not None:
-            message['run'] = run
+    def tell(self, phase: str, run: str, note: str = '') -> None:
+        """Let the page know how it goes with a run (its folder below the runs folder)."""
+        message = {'phase': phase, 'run': run, 'note': note}
         try:
             self._process.stdin.write(json.dumps(message) + '\n')
             self._process.stdin.flush()
@@ -181,7 +179,8 @@ def _fly(page: ConsoleProcess, scenario: Scenario, run_dir: Path, runs: Path, do
     (run_dir / 'scenario.yaml').write_text(scenario.dump(), encoding='utf-8')
     print(f'{scenario.name}: mode {mission.mode}, operator console, seed {mission.seed}, '
           f'{run_dir}', flush=True)
-    page.tell('starting', run=os.path.relpath(run_dir, runs))
+    name = os.path.relpath(run_dir, runs)
+    page.tell('starting', name)
     stopped = []
 
     def stop_asked() -> bool:
@@ -191,5 +190,5 @@ def _fly(page: ConsoleProcess, scenario: Scenario, run_dir: Path, runs: Path, do
     code = fly.Flight(scenario, run_dir, domain, headless, stop_asked).fly()
     if code == EXIT_INTERRUPTED and not stopped:
         raise KeyboardInterrupt
-    page.tell('ended', 'failed' if code == EXIT_CANNOT else '')
+    page.tell('ended', name, 'failed' if code == EXIT_CANNOT else '')
     return code

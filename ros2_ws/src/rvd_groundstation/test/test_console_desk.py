@@ -66,7 +66,9 @@ def test_a_session_goes_on_where_it_was_broken_off(tmp_path):
     assert again.view()['number'] == 2
     order = again.do({'act': 'fly'})
     assert order['out'].endswith('.2')          # nothing is written over
-    again.ended()
+    again.ended('P01/01-manual')                # word of the flight before comes late
+    assert again.view()['stage'] == 'flying'
+    again.ended(order['out'])
     assert again.view()['stage'] == 'ready'
 
 

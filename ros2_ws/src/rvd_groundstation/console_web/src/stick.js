@@ -43,6 +43,8 @@ export class Stick {
 
   key(event, pressed) {
     if (event.ctrlKey || event.metaKey || event.altKey || typing(event.target)) return;
+    // Sliders and dialogs have their own arrow keys; what comes up is let go of in any case.
+    if (pressed && event.target instanceof Element && event.target.closest('input, select, dialog')) return;
     if (pressed && LEVELS[event.code]) {
       this.level = LEVELS[event.code];
       this.send(true);

@@ -232,9 +232,9 @@ class Desk:
         if self._stage == 'flying':
             self._stage, self._reason = 'rate', verdict['reason']
 
-    def ended(self) -> None:
-        """Be told that the run is over; without a verdict it is flown again."""
-        if self._stage == 'flying':
+    def ended(self, run: str | None) -> None:
+        """Be told that a run is over; one that left no verdict is flown again."""
+        if self._stage == 'flying' and run == self._attempt:
             self._stage = 'ready'
 
     def _rate(self, content: dict[str, Any]) -> None:

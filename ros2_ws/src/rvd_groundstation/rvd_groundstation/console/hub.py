@@ -248,11 +248,13 @@ class Hub:
         self._to_watchers()
         self._status()
 
-    def told(self, phase: str, note: str = '') -> None:
-        """Be told by whoever starts runs how that goes."""
+    def told(self, phase: str, note: str = '', run: str | None = None) -> None:
+        """Be told by whoever starts runs how that goes with `run` (its folder)."""
+        if phase == 'starting':
+            self.run_name = run
         self.phase, self.note = phase, note
         if self.desk is not None and phase == 'ended':
-            self.desk.ended()
+            self.desk.ended(run)
             self._everybody(self.desk.view())
         self._status()
 

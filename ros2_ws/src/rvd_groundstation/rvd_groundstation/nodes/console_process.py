@@ -76,9 +76,7 @@ async def _heed(hub: Hub) -> None:
         if stopped.done() or not line.result():
             return
         told = json.loads(line.result())
-        if 'run' in told:
-            hub.run_name = told['run']
-        hub.told(told['phase'], told.get('note', ''))
+        hub.told(told['phase'], told['note'], told['run'])
 
 
 def say(message: dict[str, Any]) -> None:
