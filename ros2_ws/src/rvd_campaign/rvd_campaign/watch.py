@@ -1,8 +1,8 @@
 """
 The eyes of `fly`: a light node that follows a run from outside the ring.
 
-It looks at the newest raw message of each topic some times a second and decodes one only when it is
-shown, so that it does not slow the graph.
+It looks at the newest raw message of each topic some times a second and decodes one only when
+it is shown, so that it does not slow the graph.
 """
 
 import time
