@@ -188,8 +188,10 @@ REFUSED = {
     'resume with other seed': (('other.yaml', '--resume', 'c'), 'holds another campaign'),
     'resume into another folder': (('--resume', 'c', '--out', 'd'), 'leave out --out'),
     'dask without address': (('small.yaml', '--backend', 'dask'), 'need each other'),
-    'no scheduler there': (('small.yaml', '--backend', 'dask', '--scheduler', 'nowhere', '--out',
-                            'e'), "no Dask scheduler at 'nowhere'"),
+    'no address': (('small.yaml', '--backend', 'dask', '--scheduler', 'nowhere'),
+                   "is tcp://HOST:PORT, got 'nowhere'"),
+    'no scheduler there': (('small.yaml', '--backend', 'dask', '--scheduler', 'tcp://127.0.0.1:9'),
+                           'no Dask scheduler at tcp://127.0.0.1:9: '),
     'no terabytes': (('small.yaml', '--runs', '9999999'), 'the limit is 10,000,000'),
 }
 
