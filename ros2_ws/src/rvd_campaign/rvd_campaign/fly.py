@@ -3,6 +3,7 @@
 """
 
 import argparse
+import importlib
 import re
 import shutil
 import signal
@@ -154,6 +155,8 @@ class Flight:
             failures = self._supervisor.failures()
             if failures:
                 return self._why(failures)
+            if self._watch.verdict is not None and self._watch.verdict.final:
+                importlib.import_module('rvd_campaign.report')      # a second, while nodes end
             if self._supervisor.ended:
                 if self._supervisor.code != 0:
                     return self._supervisor.complaint() or 'the bring-up failed'
