@@ -18,10 +18,9 @@ from rvd_campaign.exits import (
 from rvd_campaign.scenario import load, Scenario
 from rvd_campaign.supervisor import Supervisor
 
-START_S = 30.0                  # [s] wall time for the graph to come up
+START_S = 60.0                  # [s] wall time for the graph to come up
 STALL_S = 10.0                  # [s] wall time without a step before the run is given up
 SHOW_S = 0.2                    # [s] wall time between two looks
-RECORDER_LEAD = 64              # [steps] see spacecraft_dynamics
 
 
 def main(args: argparse.Namespace) -> int:
@@ -169,7 +168,7 @@ class Flight:
                 return (f'the graph did not come up in {START_S:g} s: not ready: '
                         f'{", ".join(waiting) or "spacecraft_dynamics"}')
             if self._stalled(now):
-                owing = self._watch.who_owes(list(self._supervisor.pids), RECORDER_LEAD)
+                owing = self._watch.who_owes(list(self._supervisor.pids))
                 return (f'no step for {STALL_S:g} s of wall time: '
                         f'{", ".join(owing) or "no node"} owes a message')
 
