@@ -128,15 +128,12 @@ def _decide(settings: LoopSettings, runs: Sequence[int], first_step: int) -> Cei
 def _draw(settings: LoopSettings, runs: Sequence[int]) -> _World:
     mission = settings.mission
     seed, steps, up = mission.seed, mission.last_step + 1, mission.forward_steps
-    gets_up = np.ones((len(runs), steps), dtype=bool)      # before `up`: sent before the start
-    for i, run in enumerate(runs):
-        plan = draw_plan(settings.link_forward, streams.generator(seed, run, 'link_forward'),
-                         steps, mission.step_ns, up)
-        gets_up[i, up:] = plan.intact_in_time[:steps - up]
-    return _World(
-        settings.dynamics.start(mission, streams.stack(
-            streams.start_normals(seed, run) for run in runs)),
-        streams.stack(streams.execution_normals(seed, run, steps) for run in runs), gets_up)
+    gets_up = np.ones((len(runs), steps), dtype=bool)       # before `up`: sent before the start
+    for row, rng in zip(gets_up, streams.generators(seed, runs, 'link_forward')):
+        plan = draw_plan(settings.link_forward, rng, steps, mission.step_ns, up)
+        row[up:] = plan.intact_in_time[:steps - up]
+    return _World(settings.dynamics.start(mission, streams.start_normals_of_runs(seed, runs)),
+                  streams.normals_of_runs(seed, runs, 'execution', steps, 3), gets_up)
 
 
 def _of(world: _World, rows: Sequence[int]) -> _World:

@@ -3,6 +3,7 @@
 """
 
 import argparse
+import importlib
 import re
 import shutil
 import signal
@@ -18,10 +19,9 @@ from rvd_campaign.exits import (
 from rvd_campaign.scenario import load, Scenario
 from rvd_campaign.supervisor import Supervisor
 
-START_S = 30.0                  # [s] wall time for the graph to come up
+START_S = 60.0                  # [s] wall time for the graph to come up
 STALL_S = 10.0                  # [s] wall time without a step before the run is given up
 SHOW_S = 0.2                    # [s] wall time between two looks
-RECORDER_LEAD = 64              # [steps] see spacecraft_dynamics
 
 
 def main(args: argparse.Namespace) -> int:
@@ -165,6 +165,8 @@ class Flight:
             failures = self._supervisor.failures()
             if failures:
                 return self._why(failures)
+            if self._watch.verdict is not None and self._watch.verdict.final:
+                importlib.import_module('rvd_campaign.report')      # a second, while nodes end
             if self._supervisor.ended:
                 if self._supervisor.code != 0:
                     return self._supervisor.complaint() or 'the bring-up failed'
@@ -177,7 +179,7 @@ class Flight:
                 return (f'the graph did not come up in {START_S:g} s: not ready: '
                         f'{", ".join(waiting) or "spacecraft_dynamics"}')
             if self._stalled(now):
-                owing = self._watch.who_owes(list(self._supervisor.pids), RECORDER_LEAD)
+                owing = self._watch.who_owes(list(self._supervisor.pids))
                 return (f'no step for {STALL_S:g} s of wall time: '
                         f'{", ".join(owing) or "no node"} owes a message')
 

@@ -138,20 +138,40 @@ def fly(settings: LoopSettings, runs: Sequence[int], record: bool = False,
     """
     if len(runs) == 0:
         raise ValueError('runs must name at least one run, got none')
-    draws = draw(settings, runs) if draws is None else draws
+    if draws is None or record:                     # a history is of whole runs
+        draws = draw(settings, runs, whole=record)
     if draws.key != draws_key(settings, runs):
         raise ValueError('draws are of other runs, seed, links, delays or time grid')
     loop = _Loop(settings, draws)
     steps: list[dict] = []
-    for step in range(settings.mission.last_step + 1):
+    for step in range(draws.measurement.shape[1]):
         row = loop.advance(step)
         if record:
             steps.append(row)
         if loop.ended.all():
             break
     history = _history(steps, loop.end_step) if record else None
-    return Flight(np.asarray(runs, dtype=np.int64), loop.end_step, loop.judge.verdict(),
-                  loop.judge.terminal, loop.decided_steps, loop.changed_steps, history)
+    flight = Flight(np.asarray(runs, dtype=np.int64), loop.end_step, loop.judge.verdict(),
+                    loop.judge.terminal, loop.decided_steps, loop.changed_steps, history)
+    return flight if loop.ended.all() else _with_late_ones(settings, flight, loop.ended)
+
+
+def _with_late_ones(settings: LoopSettings, flight: Flight, ended: NDArray[np.bool_]) -> Flight:
+    """Fly again, with all the draws there are, the few runs that outlast the usual ones."""
+    late = np.flatnonzero(~ended)
+    runs = flight.runs[late].tolist()
+    whole = fly(settings, runs, draws=draw(settings, runs, whole=True))
+
+    def merged(mine: NDArray, theirs: NDArray) -> NDArray:
+        mine = mine.astype(np.result_type(mine, theirs))    # the longest reason is the widest
+        mine[late] = theirs
+        return mine
+
+    return Flight(flight.runs, merged(flight.end_step, whole.end_step),
+                  Verdict(*map(merged, flight.verdict, whole.verdict)),
+                  merged(flight.terminal, whole.terminal),
+                  merged(flight.decided_steps, whole.decided_steps),
+                  merged(flight.changed_steps, whole.changed_steps), None)
 
 
 class _Loop:
@@ -254,14 +274,19 @@ class _Loop:
                       auto, auto_valid)
 
 
-def draw(settings: LoopSettings, runs: Sequence[int], steps: int | None = None) -> Draws:
+def draw(settings: LoopSettings, runs: Sequence[int], whole: bool = False) -> Draws:
     """
     Draw what the world, the links and the pilots will do in runs; see `fly`.
 
-    `steps` rows a block, all that a run may take if None; fewer are the first of these.
+    Enough for a tenth more than the nominal approach, which few runs outlast; `whole` for all
+    the steps that a run may take. The shorter blocks are the beginning of the longer ones.
     """
     mission = settings.mission
-    steps = mission.last_step + 1 if steps is None else min(steps, mission.last_step + 1)
+    closing = max(mission.start.velocity_m_s[0], 1e-9)
+    usual = 1.1 * -mission.start.position_m[0] / closing / mission.step_s
+    steps = mission.last_step + 1
+    if not whole:
+        steps = int(min(steps, usual + 10.0))
     seed, flown = mission.seed, mission.operator == 'model'
 
     def intact(params: LinkParams, purpose: str, hold_steps: int) -> NDArray[np.bool_]:

@@ -1,8 +1,8 @@
 """
 The eyes of `fly`: a light node that follows a run from outside the ring.
 
-It looks at the newest raw message of each topic some times a second and decodes one only when it is
-shown, so that it does not slow the graph.
+It looks at the newest raw message of each topic some times a second and decodes one only when
+it is shown, so that it does not slow the graph.
 """
 
 import time
@@ -110,7 +110,7 @@ class FlightWatch:
                 f'transit {delay:4.2f} s, loop {loop:g} s  y {p.y:5.2f} z {p.z:5.2f} m'
                 + ('  PAUSED' if self.paused else ''))
 
-    def who_owes(self, nodes: list[str], recorder_lead: int) -> list[str]:
+    def who_owes(self, nodes: list[str]) -> list[str]:
         """
         Return the nodes that owe a message, from the last step that each topic remembers.
 
@@ -137,8 +137,7 @@ class FlightWatch:
         while known < sum(last.values()):
             known = sum(last.values())
             self.spin(SETTLE_S)
-        return graph.who_owes(last, nodes, self._mission.operator, self._mission.joy_input,
-                              recorder_lead)
+        return graph.who_owes(last, nodes, self._mission.operator, self._mission.joy_input)
 
     def close(self) -> None:
         """Leave the graph."""

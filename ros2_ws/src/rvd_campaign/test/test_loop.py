@@ -1,4 +1,4 @@
-"""The loop against the parts of the graph strung together one run at a time, and by its numbers."""
+"""The loop against the graph's parts strung together one run at a time, and by its numbers."""
 
 from dataclasses import fields, replace
 from time import process_time

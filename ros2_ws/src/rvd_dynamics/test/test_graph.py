@@ -59,7 +59,7 @@ def test_a_node_that_stops_is_the_one_that_owes(pilot, data):
     dead = data.draw(st.sampled_from(graph.ring(operator)))
     until = data.draw(st.integers(0, 20))
     last = last_steps(operator, joy_input, dead, until)
-    owing = graph.who_owes(last, graph.ring(operator), operator, joy_input, recorder_lead=64)
+    owing = graph.who_owes(last, graph.ring(operator), operator, joy_input)
     assert owing == [dead]
 
 
@@ -67,9 +67,9 @@ def test_a_recorder_that_is_far_behind_owes():
     names = (*graph.ring('model'), 'bag_recorder')
     last = {topic: 80 for name in names for topic in graph.NODES[name].emits}
     last['/run/recorded_step'] = 16
-    assert 'bag_recorder' in graph.who_owes(last, names, 'model', 'stepped', recorder_lead=64)
+    assert 'bag_recorder' in graph.who_owes(last, names, 'model', 'stepped')
     last['/run/recorded_step'] = 17
-    assert 'bag_recorder' not in graph.who_owes(last, names, 'model', 'stepped', recorder_lead=64)
+    assert 'bag_recorder' not in graph.who_owes(last, names, 'model', 'stepped')
 
 
 def fired(operator, joy_input, steps, dead=None, dead_from=0):

@@ -183,7 +183,8 @@ def test_frozen_middle_term_pushes_along_the_wall_at_the_closing_rate():
 def test_printed_ray_misses_by_metres_and_hardly_turns_the_push():
     """The wrong point lies far along nearly the same line, and only its direction is used."""
     states = band_states(50, 5)
-    force, right = replace(LAW, nearest_point='printed_ray').repulsion(states), LAW.repulsion(states)
+    force = replace(LAW, nearest_point='printed_ray').repulsion(states)
+    right = LAW.repulsion(states)
     off = np.abs(force - right).max(axis=1) / np.abs(right).max(axis=1)
     assert 0.001 < off.max() < 0.25
 

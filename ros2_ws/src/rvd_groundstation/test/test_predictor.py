@@ -60,7 +60,8 @@ class Flight:
         """Return the commands that act between the telemetry of step k and its prediction."""
         m, end = k - self.mission.back_steps, k + self.mission.forward_steps
         first = m - self.mission.forward_steps
-        return [self.commands[i] if i >= 0 else np.zeros(3, int) for i in range(first, k)][:end - m]
+        sent = [self.commands[i] if i >= 0 else np.zeros(3, int) for i in range(first, k)]
+        return sent[:end - m]
 
 
 @pytest.mark.parametrize('grid', GRIDS, ids=str)
@@ -143,7 +144,7 @@ def test_lost_command_shows_a_loop_later_and_then_no_more():
     errors = {k: np.abs(got.predicted - flight.truth[k + 10]).max()
               for k, got in flight.fly(Predictor(PARAMS, mission)) if k >= 30 and k + 10 < 140}
     assert max(errors[k] for k in range(30, 41)) < 1e-9
-    assert errors[55] > 0.03                                        # 0.02 m/s^2 for 0.5 s: 5 s later
+    assert errors[55] > 0.03                            # 0.02 m/s^2 for 0.5 s: 5 s later
     assert errors[129] < errors[55] / 10
 
 
@@ -199,7 +200,8 @@ def test_covariance_of_the_prediction_is_that_of_its_error():
         if m >= 0:
             nominal = NOMINAL + [0.25 * m * dt, 0, 0, 0, 0, 0]
             sigma = np.sqrt(kalman.measurement_variance(nominal))
-            measured, received = truth[m] + sigma * rng.normal(size=(rows, 6)), rng.random(rows) < .9
+            measured = truth[m] + sigma * rng.normal(size=(rows, 6))
+            received = rng.random(rows) < 0.9
         got = predictor.advance(k, measured, received, None)
     error = got.predicted - truth[49 + mission.forward_steps]
     nees = np.einsum('ni,nij,nj->n', error, np.linalg.inv(got.covariance), error)

@@ -47,11 +47,13 @@ def fly_once() -> dict:
             capture_output=True, text=True)
         wall, ended = time.monotonic() - clock, time.time()
         if done.returncode not in (0, 1):
-            raise ValueError(f'the flight ended with code {done.returncode}: {done.stderr.strip()}')
+            raise ValueError(f'the flight ended with code {done.returncode}: '
+                             f'{done.stderr.strip()}')
         truths = published(run)
         judged = (run / 'verdict.json').stat().st_mtime
     return {'wall_s': round(wall, 2), 'steps': len(truths),
-            'start_up_s': round(truths[0] - begun, 2), 'flight_s': round(truths[-1] - truths[0], 2),
+            'start_up_s': round(truths[0] - begun, 2),
+            'flight_s': round(truths[-1] - truths[0], 2),
             'ending_s': round(judged - truths[-1], 2), 'report_s': round(ended - judged, 2)}
 
 

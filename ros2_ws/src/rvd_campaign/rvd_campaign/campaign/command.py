@@ -72,6 +72,8 @@ def _workers(args: argparse.Namespace) -> Workers:
         raise CannotRun(f'--batch must be at least 1, got {args.batch}')
     if (args.backend == 'dask') != bool(args.scheduler):
         raise CannotRun('--backend dask and --scheduler ADDRESS need each other')
+    if args.scheduler:
+        engine.check_scheduler(args.scheduler)
     return Workers(count, args.backend, args.scheduler or '', args.batch or 0)
 
 

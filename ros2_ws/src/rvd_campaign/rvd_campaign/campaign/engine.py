@@ -16,8 +16,10 @@ import importlib.metadata
 import itertools
 import json
 import os
+import re
 import shutil
 import signal
+import socket
 import threading
 import time
 from collections.abc import Iterable, Iterator
@@ -38,7 +40,7 @@ from rvd_campaign.scenario import Scenario
 
 KEPT, PARTS, RESULTS = 'campaign.json', 'parts', 'results.parquet'
 BATCH_STEPS = 200_000           # runs times steps that fly together: 150 MB of draws, full speed
-TOGETHER = 8                    # conditions that share the draws of their runs, at most
+TOGETHER = 4                    # conditions that share the draws of their runs, at most
 SPARE_BYTES = 8 << 20           # of disk, for summary and report
 FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 MATTERS = ('numpy', 'scipy', 'filterpy')        # packages whose version may move a last bit
@@ -207,6 +209,17 @@ def _flown(campaign: Campaign, todo: list[Stretch], workers: Workers
                 yield from finished
         finally:
             flown.close()                       # ends the workers when we leave early
+
+
+def check_scheduler(address: str) -> None:
+    """Refuse an address at which nobody listens, before anything is begun."""
+    match = re.fullmatch(r'(?:(?:tcp|tls)://)?(.+):(\d{1,5})', address)
+    if not match:
+        raise CampaignError(f'the address of a Dask scheduler is tcp://HOST:PORT, got {address!r}')
+    try:
+        socket.create_connection((match[1].strip('[]'), int(match[2])), timeout=10).close()
+    except (OSError, OverflowError) as error:
+        raise CampaignError(f'no Dask scheduler at {address}: {error}') from None
 
 
 @contextmanager

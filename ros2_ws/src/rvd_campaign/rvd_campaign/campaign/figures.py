@@ -90,7 +90,7 @@ def landing(results: Results) -> Drawn:
     for axes, condition in zip(figure.subplots(lines, columns, squeeze=False).flat, shown):
         mission, table = condition.scenario.mission, results.tables[condition.name]
         good = np.flatnonzero(table['success'])[:LANDED]
-        axes.plot(table['y_m'][good], table['z_m'][good], '.', color=BLUE, markersize=3.2,
+        axes.plot(table['y_m'][good], table['z_m'][good], '.', color=BLUE, markersize=4.5,
                   alpha=0.6, markeredgewidth=0)
         radius = mission.corridor.docking_radius_m
         axes.add_patch(Circle((0, 0), radius, fill=False, edgecolor=INK, linewidth=1.6,
@@ -111,7 +111,7 @@ def landing(results: Results) -> Drawn:
 def tracks(results: Results) -> Drawn:
     """Draw tracks of successful runs in both planes (the paper's figures 8 to 11)."""
     shown = results.shown
-    figure = _figure(0.55 + 2.25*len(shown), hspace=0.34, wspace=0.14, top=0.42)
+    figure = _figure(0.55 + 2.25*len(shown), hspace=0.34, wspace=0.14, top=0.58)
     panels = figure.subplots(len(shown), 2, squeeze=False, sharex=True)
     outside = []
     for line, condition in zip(panels, shown):

@@ -8,12 +8,15 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
+import matplotlib
+
 from rvd_campaign.campaign import results, stats
 from rvd_campaign.campaign.engine import open_folder, RESULTS
 from rvd_campaign.campaign.figures import FIGURES, NEEDED, Results
 from rvd_campaign.campaign.spec import CampaignError
 from rvd_campaign.campaign.summary import MEANS, SUMMARY
 from rvd_campaign.figures import drawn
+from rvd_campaign.figures import STYLE as LOOK
 from rvd_campaign.page import STYLE
 from rvd_campaign.verdict import WORDS
 
@@ -38,16 +41,26 @@ def write_campaign_report(folder: Path) -> Path:
     CampaignError
         If the folder has no results yet.
     """
+    target = folder / 'report.html'
+    results.write_whole(target, page(read(folder)))
+    return target
+
+
+def read(folder: Path) -> Results:
+    """Return what a campaign folder says; errors as `write_campaign_report`."""
     campaign, _ = open_folder(folder)
     try:
         summary = json.loads((folder / SUMMARY).read_text(encoding='utf-8'))
-        tables = dict(results.tables(folder / RESULTS, NEEDED))
+        return Results(campaign, summary, dict(results.tables(folder / RESULTS, NEEDED)))
     except OSError:
         raise CampaignError(f'{folder} has no results yet: finish it with ./rvd campaign '
                             f'--resume {folder}') from None
-    target = folder / 'report.html'
-    results.write_whole(target, page(Results(campaign, summary, tables)))
-    return target
+
+
+def picture(folder: Path, name: str, path: Path) -> None:
+    """Write a figure of `FIGURES` as a PNG on white, for pages that cannot hold a drawing."""
+    with matplotlib.rc_context({**LOOK, 'savefig.facecolor': 'white'}):
+        FIGURES[name][1](read(folder))[0].savefig(path, dpi=110, format='png')
 
 
 def page(made: Results) -> str:

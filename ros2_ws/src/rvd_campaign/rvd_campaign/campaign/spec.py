@@ -20,7 +20,6 @@ ones win: set, condition, axes in their order. Every condition is built before t
 """
 
 import itertools
-import math
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
@@ -28,6 +27,7 @@ from pathlib import Path
 from typing import Any
 
 from rvd_campaign import catalogue
+from rvd_campaign.campaign.grid import Cells, legs
 from rvd_campaign.scenario import (
     check_keys, flat_keys, load, mapping_of, nearest, parse, Scenario, ScenarioError, SETTINGS,
     SHARED, text_of)
@@ -190,7 +190,7 @@ class _Reader:
                              '_ . + - only')
         return groups
 
-    def _cells(self, grid: Any, groups: int) -> '_Cells':
+    def _cells(self, grid: Any, groups: int) -> Cells:
         if not isinstance(grid, dict):
             self._refuse('grid must map axes to values')
         axes = {}
@@ -202,7 +202,7 @@ class _Reader:
             else:
                 self._refuse(f'grid axis {name} must be a list of values or map labels to '
                              f'changes, got {values!r}')
-        cells = _Cells(axes)
+        cells = Cells(axes)
         if groups * cells.count > MAX_CONDITIONS:
             self._refuse(f'{groups} conditions times a grid of {cells.count:,} cells are '
                          f'{groups * cells.count:,} conditions; the limit is {MAX_CONDITIONS:,}')
@@ -219,7 +219,7 @@ class _Reader:
         self._refuse(f'grid axis {axis} must begin with a section of the scenario'
                      + nearest(axis, known))
 
-    def _conditions(self, base: Scenario, groups: dict[str, Any], cells: '_Cells',
+    def _conditions(self, base: Scenario, groups: dict[str, Any], cells: Cells,
                     named: bool) -> Iterator[Condition]:
         seen = set()
         for group, changes in groups.items():
@@ -264,7 +264,7 @@ class _Reader:
         if key == 'pilot':
             return scenario.with_values('operator_model', **_dunder(self._pilot(value)))
         if key == 'loop_delay_s':
-            return scenario.with_values(SHARED, **_legs(value, scenario.mission.step_s))
+            return scenario.with_values(SHARED, **legs(value, scenario.mission.step_s))
         if key not in SETTINGS:
             raise ScenarioError(f'no section {key!r}' + nearest(str(key),
                                                                 [*SETTINGS, *SHORT_WORDS]))
@@ -349,37 +349,6 @@ class _Reader:
     def _known(self, key: str, name: Any, names: list[str]) -> None:
         if name not in names:
             self._refuse(f'{key}: no condition {name!r}' + nearest(str(name), names))
-
-
-class _Cells:
-    """The cells of a grid, without making them all at once."""
-
-    def __init__(self, axes: dict[str, list[tuple[Any, Any]]]) -> None:
-        self._axes = axes
-        self.count = math.prod(len(values) for values in axes.values())
-
-    def __iter__(self) -> Iterator[dict[str, tuple[Any, Any]]]:
-        for values in itertools.product(*self._axes.values()):
-            yield dict(zip(self._axes, values))
-
-    def short(self, axis: str) -> str:
-        """Return the last word of an axis, where that is enough to tell it from the others."""
-        last = axis.rsplit('.', 1)[-1]
-        return last if sum(a.rsplit('.', 1)[-1] == last for a in self._axes) == 1 else axis
-
-
-def _legs(loop_delay_s: Any, step_s: float) -> dict[str, float]:
-    """Split a loop delay evenly; the back leg takes the odd step."""
-    if isinstance(loop_delay_s, bool) or not isinstance(loop_delay_s, (int, float)) \
-            or not 0.0 <= loop_delay_s <= 3600.0:
-        raise ScenarioError(f'loop_delay_s must be between 0 and 3600, got {loop_delay_s}')
-    steps = round(loop_delay_s / step_s)
-    if abs(steps*step_s - loop_delay_s) > 1e-9:
-        below = int(loop_delay_s / step_s)
-        raise ScenarioError(
-            f'loop_delay_s must be a whole number of steps of {step_s:g} s, got '
-            f'{loop_delay_s:g}: the two nearest are {below*step_s:g} and {(below + 1)*step_s:g}')
-    return {'forward_delay_s': steps//2 * step_s, 'back_delay_s': (steps - steps//2) * step_s}
 
 
 def _dunder(flat: dict[str, Any]) -> dict[str, Any]:

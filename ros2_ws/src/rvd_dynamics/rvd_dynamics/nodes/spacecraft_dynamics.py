@@ -19,6 +19,7 @@ from rosgraph_msgs.msg import Clock
 from std_msgs.msg import Bool, String, UInt64
 
 from rvd_dynamics.orbit.models import TRUTH_MODELS
+from rvd_dynamics.ros import graph
 from rvd_dynamics.ros.conversions import UNKNOWN, levels_of, state_to_msg, time_at
 from rvd_dynamics.ros.run import run
 from rvd_dynamics.ros.step_node import StepNode
@@ -27,7 +28,6 @@ from rvd_dynamics.streams import execution_normals, start_normals
 from rvd_dynamics.world import DynamicsParams
 from rvd_interfaces.msg import RelativeState, ThrustCommand
 
-RECORDER_LEAD = 64              # [steps] in lock step the recorder is never further behind
 TICKS_PER_STEP = 8              # how often the wall clock is looked at in real time
 
 
@@ -102,7 +102,7 @@ class SpacecraftDynamics(StepNode):
             super().advance()
 
     def _too_far(self) -> bool:
-        behind = self._recorded is not None and self._next - self._recorded > RECORDER_LEAD
+        behind = self._recorded is not None and self._next - self._recorded > graph.RECORDER_LEAD
         self.trouble.pop('recorder', None)
         if behind:
             self.trouble['recorder'] = f'waiting for bag_recorder, at step {self._recorded}'

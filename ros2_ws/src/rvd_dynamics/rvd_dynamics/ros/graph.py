@@ -38,6 +38,8 @@ TOPICS = {
     '/diagnostics': 'diagnostic_msgs/msg/DiagnosticArray',
 }
 
+RECORDER_LEAD = 64              # [steps] in lock step the recorder is never further behind
+
 # Written by any node whenever it has something to say; nobody waits for them at the start.
 COMMON = ('/run/ready', '/run/events', '/diagnostics')
 
@@ -165,20 +167,20 @@ def expected(topic: str, nodes: Iterable[str], operator: str, joy_input: str) ->
             sum(topic in spec.reads for spec in specs))
 
 
-def who_owes(last: dict[str, int], nodes: Iterable[str], operator: str, joy_input: str,
-             recorder_lead: int) -> list[str]:
+def who_owes(last: dict[str, int], nodes: Iterable[str], operator: str,
+             joy_input: str) -> list[str]:
     """
     Name the nodes whose inputs are complete and whose output is missing.
 
     `last` is the last step seen on each topic (-1: nothing yet). In lock step the world also
-    waits for a recorder that is more than `recorder_lead` steps behind: then that one owes.
+    waits for a recorder that is RECORDER_LEAD steps behind: then that one owes.
     """
     def seen(topic: str) -> int:
         return last.get(topic, -1)
 
     names = list(nodes)
     if ('bag_recorder' in names
-            and seen('/truth/relative_state') - seen('/run/recorded_step') >= recorder_lead):
+            and seen('/truth/relative_state') - seen('/run/recorded_step') >= RECORDER_LEAD):
         return ['bag_recorder']
     owing = []
     for name in names:

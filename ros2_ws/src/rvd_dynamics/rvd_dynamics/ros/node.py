@@ -15,7 +15,6 @@ from typing import Any, Callable
 
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
 from rclpy.callback_groups import CallbackGroup
-from rclpy.duration import Duration
 from rclpy.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
 from rclpy.node import Node
 from rclpy.parameter import Parameter
@@ -32,7 +31,8 @@ from rvd_interfaces.msg import RunEvent
 
 BARRIER_PERIOD_S = 0.05         # [s] wall time between two looks at the endpoints
 DIAGNOSTICS_PERIOD_S = 1.0      # [s] wall time
-LINGER_S = 2.0                  # [s] wall time a closing writer waits for its readers
+MOMENT_S = 0.3                  # [s] wall time in which local readers get what was written last
+RECORDER_S = 5.0                # [s] wall time that a closing node gives the recorder
 REST_S = 0.03                   # [s] wall time a watcher that has caught up lets messages gather
 
 
@@ -197,9 +197,21 @@ class WatchNode(Node):
             self.done.set_result(None)
 
     def close(self) -> None:
-        """Let the readers have the last messages before the writers go."""
+        """
+        Let the readers have the last messages before the writers go.
+
+        The recorder leaves when it has everything, so who is recorded waits for that; others
+        stay a moment. (Waiting for acknowledgements takes a heartbeat of 3 s, always.)
+        """
         if not self.context.ok():               # told to stop: the graph is gone already
             return
-        for topic, publisher in self._publishers_of.items():
-            if publisher.get_subscription_count() and topic not in graph.COMMON:
-                publisher.wait_for_all_acked(Duration(seconds=LINGER_S))
+        if 'bag_recorder' not in self._names:
+            time.sleep(MOMENT_S)
+            return
+        deadline = time.monotonic() + RECORDER_S
+        while time.monotonic() < deadline and self._recorder_is_here():
+            time.sleep(0.02)
+
+    def _recorder_is_here(self) -> bool:
+        readers = self.get_subscriptions_info_by_topic('/run/end')
+        return any(reader.node_name == 'bag_recorder' for reader in readers)

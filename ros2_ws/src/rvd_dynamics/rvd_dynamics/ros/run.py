@@ -26,6 +26,9 @@ def run(node_class: Callable, args=None) -> None:
             node.done.result()                  # an error in a callback ends the process
     except (KeyboardInterrupt, ExternalShutdownException):
         pass
+    except RuntimeError:                        # told to stop between two waits
+        if rclpy.ok():
+            raise
     except ValueError as error:
         name = node.get_name() if node is not None else sys.argv[0].rsplit('/', 1)[-1]
         print(f'{name}: {error}', file=sys.stderr)

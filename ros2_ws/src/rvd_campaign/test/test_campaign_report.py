@@ -1,0 +1,173 @@
+"""
+The page of a campaign: well formed, by itself, and saying what was fitted.
+"""
+
+import io
+import json
+import re
+import xml.etree.ElementTree
+
+import matplotlib
+import numpy as np
+import pytest
+
+from rvd_campaign.campaign import results
+from rvd_campaign.campaign.engine import fly_campaign, RESULTS, start, Workers
+from rvd_campaign.campaign.figures import (
+    FIGURES, flown_again, NEEDED, Results)
+from rvd_campaign.campaign.progress import Progress
+from rvd_campaign.campaign.report import page, write_campaign_report
+from rvd_campaign.campaign.spec import CampaignError, parse_campaign
+from rvd_campaign.campaign.summary import finish, in_words, SUMMARY
+from rvd_campaign.figures import drawn, STYLE
+
+TEXT = '''
+# Two <conditions> & a grid
+seed: 2
+runs: 20
+set: {pilot: A, operator_model: {runs_per_operator: 5}}
+conditions:
+  manual: {/**: {mode: manual}}
+  shared: {}
+grid: {loop_delay_s: [4, 10]}
+replicates: {operators: 2, runs: 5}
+compare: [['shared,loop_delay_s=10', 'manual,loop_delay_s=10']]
+fitted: {'manual,loop_delay_s=10': it was fitted to <this>}
+reference:
+  paper: {condition: 'manual,loop_delay_s=10', at: 10, runs: 100, successes: 76,
+          means: {offset_m: 0.1444}}
+figures: [success, curve, landing, tracks, failures, replicates]
+notes: [a note & more]
+'''
+
+
+@pytest.fixture(scope='module')
+def folder(tmp_path_factory):
+    """A finished campaign with every figure."""
+    where = tmp_path_factory.mktemp('campaign')
+    campaign = parse_campaign(TEXT.lstrip(), 'pages')
+    start(campaign, where)
+    fly_campaign(campaign, where, Workers(), Progress(io.StringIO()))
+    (where / SUMMARY).write_text(json.dumps(finish(campaign, where)))
+    return where
+
+
+@pytest.fixture(scope='module')
+def made(folder):
+    summary = json.loads((folder / SUMMARY).read_text())
+    tables = dict(results.tables(folder / RESULTS, NEEDED))
+    return Results(parse_campaign(TEXT.lstrip(), 'pages'), summary, tables)
+
+
+@pytest.fixture(scope='module')
+def html(folder):
+    return write_campaign_report(folder).read_text()
+
+
+def test_page_is_whole_and_asks_nobody_for_anything(html):
+    body = html.removeprefix('<!DOCTYPE html>\n')
+    for name in ('meta charset="utf-8"', 'meta name="viewport" content="width=device-width, '
+                 'initial-scale=1"'):
+        body = body.replace(f'<{name}>', '')
+    body = body.replace('<br>', '').replace('<html ', '<html xmlns:xlink="x" ', 1)
+    xml.etree.ElementTree.fromstring(body)
+    assert '<script' not in html
+    assert not re.findall(r'(?:src|href)="(?!#)[^"]*"', html)
+    assert len(html) < 3_000_000
+
+
+def test_ids_of_figures_do_not_meet(html):
+    ids = re.findall(r'\bid="([^"]*)"', html)
+    assert ids and len(set(ids)) == len(ids)
+
+
+def test_page_shows_every_figure_and_table(html):
+    assert html.count('<svg') == 6
+    for title, _ in FIGURES.values():
+        assert title in html
+    for words in ('Differences', 'How runs ended', 'Who decided', 'To repeat', 'Campaign file',
+                  'paper', '0.1444'):
+        assert words in html
+
+
+def test_what_was_fitted_is_said_beside_the_table(html):
+    table = html[html.index('<h2>Conditions'):html.index('<h2>Differences')]
+    assert table.count('\u2020') == 2
+    assert 'Fitted, not predicted' in table and 'it was fitted to &lt;this&gt;.' in table
+    assert 'it does not prove it' in html and 'a note &amp; more' in html
+
+
+def test_words_of_people_are_escaped(html):
+    assert 'Two &lt;conditions&gt; &amp; a grid' in html
+
+
+def test_intervals_of_the_page_are_those_of_the_summary(html, made):
+    for c in made.summary['conditions']:
+        low, high = c['wilson95']
+        assert f'{low:.4f} \u2013 {high:.4f}' in html
+
+
+def test_terminal_table_marks_what_was_fitted(made):
+    lines = in_words(made.summary).splitlines()
+    marked = [line for line in lines if line.endswith('*')]
+    assert len(marked) == 1 and marked[0].startswith('manual,loop_delay_s=10')
+    assert any('it was fitted' in line for line in lines)
+
+
+def test_tracks_are_those_of_the_table(made):
+    condition = made.campaign.conditions[-1]
+    table = made.tables[condition.name]
+    states = flown_again(condition, table)
+    assert states.shape[1] == min(table['success'].sum(), 40)
+    for run, track in enumerate(states.transpose(1, 0, 2)):
+        last = track[np.isfinite(track[:, 0])][-1]
+        row = np.flatnonzero(table['success'])[run]
+        assert last[0] >= 0.0                   # at most one step past the plane
+        np.testing.assert_allclose(last[1:3], (table['y_m'][row], table['z_m'][row]), atol=0.02)
+
+
+def test_figures_hold_the_runs_they_say(made):
+    with matplotlib.rc_context(STYLE):
+        figure, _ = FIGURES['landing'][1](made)
+        axes = figure.axes[0]
+        shown = axes.lines[0].get_xydata()
+        table = made.tables[made.campaign.conditions[0].name]
+        good = table['success']
+        np.testing.assert_array_equal(shown, np.column_stack([table['y_m'], table['z_m']])[good])
+        assert (np.hypot(*shown.T) < 0.3).all()
+        figure, _ = FIGURES['curve'][1](made)
+        np.testing.assert_allclose(
+            figure.axes[0].lines[0].get_ydata(),
+            [made.rows[f'manual,loop_delay_s={d}']['success_rate'] for d in (4, 10)])
+
+
+def test_replicates_are_groups_of_runs_in_their_order(made):
+    table = made.tables['manual,loop_delay_s=10']
+    rates = [table['success'][:10].mean(), table['success'][10:].mean()]
+    kept = made.summary['replicates']
+    assert kept['count'] == 2
+    assert kept['success_rate']['manual,loop_delay_s=10']['mean'] == pytest.approx(np.mean(rates))
+
+
+def test_a_campaign_where_nobody_succeeds_has_a_page(tmp_path):
+    campaign = parse_campaign(
+        'runs: 5\nset: {/**: {mode: manual, operator: none}}\n'
+        'figures: [success, curve, landing, tracks, failures]\n', 'lost')
+    start(campaign, tmp_path)
+    fly_campaign(campaign, tmp_path, Workers(), Progress(io.StringIO()))
+    summary = finish(campaign, tmp_path)
+    assert summary['conditions'][0]['means']['offset_m'] is None
+    assert 'no prediction' in page(Results(
+        campaign, summary, dict(results.tables(tmp_path / RESULTS, NEEDED))))
+
+
+def test_no_results_no_page(tmp_path):
+    start(parse_campaign('runs: 5', 'x'), tmp_path)
+    with pytest.raises(CampaignError, match='has no results yet: finish it with'):
+        write_campaign_report(tmp_path)
+
+
+def test_drawing_twice_gives_the_same_bytes(made):
+    def once():
+        return drawn('success', lambda: FIGURES['success'][1](made)[0])
+    assert once() == once()
