@@ -77,9 +77,9 @@ export function target(dockingRadius) {
   group.add(cylinder(hull, 0.5, 0.5, 1.5, 1.2));
   group.add(cylinder(lambert(0xaeb6be), 0.3, 0.5, 0.35, 2.1));
   group.add(panels(lambert(0x27508a), dark, 1.25, 0.55, 2.1, 0.8));
-  // Approach cross: stands behind the port, so that parallax shows on the camera.
+  // The cross that the camera aims at.
   const mark = new THREE.MeshBasicMaterial({ color: 0xf2f5f8 });
-  group.add(box(mark, 0.155, 0, 0, 0.01, 0.24, 0.02), box(mark, 0.155, 0, 0, 0.01, 0.02, 0.24));
+  group.add(box(mark, 0, 0, 0, 0.01, 0.3, 0.025), box(mark, 0, 0, 0, 0.01, 0.025, 0.3));
   const ring = new THREE.Mesh(new THREE.TorusGeometry(dockingRadius, 0.012, 10, 72),
     new THREE.MeshBasicMaterial({ color: COLOURS.ok }));
   ring.rotation.y = Math.PI / 2;
