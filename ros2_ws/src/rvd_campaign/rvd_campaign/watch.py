@@ -81,8 +81,10 @@ class FlightWatch:
     def spin(self, seconds: float) -> None:
         """Take in what arrives during `seconds` of wall time."""
         deadline = time.monotonic() + seconds
-        while (left := deadline - time.monotonic()) > 0.0:
-            self._executor.spin_once(timeout_sec=left)
+        while time.monotonic() < deadline:
+            # Always the same timeout: with another one the executor begins its round anew, and
+            # the first topic that is always ready starves the rest.
+            self._executor.spin_once(timeout_sec=GLANCE_S)
 
     def newest(self, topic: str) -> Any:
         """Return the newest message of a shown topic, decoded; None before the first."""
