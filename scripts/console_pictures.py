@@ -18,7 +18,8 @@ from console_page import (                      # noqa: E402
     chromium, Console, FLAGS, KEYS, open_page, playwright, take_and_start, until, wanted_key)
 
 SIZE = {'width': 1280, 'height': 720}
-SHARP = '(() => { Object.assign(rvd.scene, {adaptive: false, quality: 1}); rvd.scene.resize(); })()'
+SHARP = ('(() => { Object.assign(rvd.scene, {adaptive: false, quality: 1}); '
+         'rvd.scene.resize(); })()')
 
 
 def fly_until(page, seconds: float) -> None:

@@ -44,7 +44,8 @@ def test_a_volunteer_is_led_through_a_session_and_the_report_counts_it(tmp_path)
             page.fill('#volunteer', '7')
             page.keyboard.press('Enter')
             for flight in (1, 2):
-                until(page, f"document.querySelector('#dialog h3').textContent.includes('{flight} of 2')")
+                heading = "document.querySelector('#dialog h3').textContent"
+                until(page, f"{heading}.includes('{flight} of 2')")
                 page.click('#desk-go')
                 page.wait_for_selector('[data-answer=yes]', timeout=120_000)
                 rate(page)

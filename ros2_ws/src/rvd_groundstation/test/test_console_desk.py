@@ -100,7 +100,8 @@ def test_what_does_not_fit_the_stage_is_refused(tmp_path, act):
 
 
 @pytest.mark.parametrize('text, names', [
-    ('- 1', 'hold'), ('flights: 3', 'conditions'), ('{conditions: {a: {mode: auto}}, fly: 1}', 'fly'),
+    ('- 1', 'hold'), ('flights: 3', 'conditions'),
+    ('{conditions: {a: {mode: auto}}, fly: 1}', 'fly'),
     ('{conditions: {a: {mode: no}}}', 'mode'), ('{conditions: {"../x": {mode: auto}}}', 'plain'),
     ('{conditions: {a: {mode: auto}}, flights: -1}', 'flights'), ('{', 'cannot read')])
 def test_a_session_file_that_is_none_is_refused_in_one_line(tmp_path, text, names):
