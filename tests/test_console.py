@@ -12,6 +12,7 @@ from console_page import (
 from runs import messages, ROOT, verdict_of, wait_for
 
 pytestmark = pytest.mark.slow
+STEP_NS = 500_000_000           # of the scenario `barrier`
 PARTS = ('measured', 'ghost', 'corridor', 'station')
 PAD = """
 (() => {
@@ -151,9 +152,12 @@ def test_a_lost_page_is_a_lost_pilot_and_abort_needs_no_lease(console, browser):
     watcher.evaluate("(() => { rvd.link.ask({ do: 'stop' }); })()")
     until(watcher, "rvd.store.status.phase === 'ended'")
     wait_for(lambda: (run / 'verdict.json').exists(), 'verdict.json')   # the bag is closed
-    sent = next(m for m in messages(run, '/ground/command') if m.kind == 3)
+    frames = [m for m in messages(run, '/onboard/command') if not m.empty]
+    first = next(m for m in frames if m.expedited)
     acts = next(m for m in messages(run, '/onboard/thruster_command') if m.kind == 3)
-    assert acts.step - sent.step < 10           # 10 steps is the play-out delay: it skips that
+    assert 0 <= first.released - first.arrived < STEP_NS        # skips the play-out buffer,
+    assert acts.step == first.step                              # acts in the step it arrives in
+    assert any(m.released - m.arrived >= STEP_NS for m in frames if not m.expedited)
     assert list(acts.levels) == [-3, 0, 0]
     assert any(m.code == 'PILOT_LOST' for m in messages(run, '/run/events'))
     watcher.close()
