@@ -145,7 +145,7 @@ def _add_bench(commands: argparse._SubParsersAction) -> None:
         description='Measure the graph against a hollow rclpy graph of the same shape, a warm '
                     'flight and the in-process loop, and say which targets are met. Leave the '
                     'machine alone meanwhile.')
-    bench.add_argument('part', nargs='?', choices=('graph', 'flight', 'loop', 'all'),
+    bench.add_argument('part', nargs='?', choices=('graph', 'flight', 'loop', 'campaign', 'all'),
                        default='all', help='what to measure (default: all, about two minutes)')
     bench.add_argument('--quick', action='store_true', help='one repeat of each, small batches')
     bench.add_argument('--out', metavar='FILE', help='write the figures as JSON')
