@@ -155,9 +155,10 @@ def _add_bench(commands: argparse._SubParsersAction) -> None:
         description='Measure the graph against a hollow rclpy graph of the same shape, a warm '
                     'flight and the in-process loop, and say which targets are met. Leave the '
                     'machine alone meanwhile.')
-    bench.add_argument('part', nargs='?', choices=('graph', 'flight', 'loop', 'console', 'all'),
-                       default='all', help='what to measure (default: all but the console, about two '
-                            'minutes; the console needs Chromium)')
+    bench.add_argument('part', nargs='?', default='all',
+                       choices=('graph', 'flight', 'loop', 'campaign', 'console', 'all'),
+                       help='what to measure (default: all but the console, about two minutes; '
+                            'the console needs Chromium)')
     bench.add_argument('--quick', action='store_true', help='one repeat of each, small batches')
     bench.add_argument('--out', metavar='FILE', help='write the figures as JSON')
     bench.set_defaults(run=_bench)

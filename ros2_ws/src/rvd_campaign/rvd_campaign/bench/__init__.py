@@ -119,8 +119,28 @@ def _console_rows(r: dict) -> list[Row]:
                 value < GOALS[name] if name in GOALS else None) for name, value in r.items()]
 
 
+def _campaign(quick: bool) -> dict:
+    from rvd_campaign.bench import campaign
+    return campaign.measure(quick)
+
+
+def _campaign_rows(r: dict) -> list[Row]:
+    from rvd_campaign.bench import campaign as c
+    return [Row('runs per core-second, draws included', f'{r["runs_per_core_s"]}',
+                f'>= {c.MIN_RUNS_PER_CORE_S}', r['runs_per_core_s'] >= c.MIN_RUNS_PER_CORE_S),
+            Row('  one filterpy and one pilot object per run', f'{r["one_by_one_per_core_s"]}'),
+            Row('  times that', f'{r["ratio"]:.0f}', f'>= {c.MIN_RATIO}',
+                r['ratio'] >= c.MIN_RATIO),
+            Row('two processes, times as fast as one', f'{r["speed_up_on_two"]:.2f}',
+                f'>= {c.MIN_SPEED_UP}', r['speed_up_on_two'] >= c.MIN_SPEED_UP),
+            Row(f'table3, {r["table_runs"]} runs a condition, two workers',
+                f'{r["table3_s"]:.1f} s', f'< {c.MAX_TABLE_S:g} s',
+                r['table3_s'] < c.MAX_TABLE_S)]
+
+
 PARTS: dict[str, tuple[Callable[[bool], dict], Callable[[dict], list[Row]]]] = {
     'loop': (_loop, _loop_rows),
+    'campaign': (_campaign, _campaign_rows),
     'graph': (_graph, _graph_rows),
     'flight': (_flight, _flight_rows),
     'console': (_console, _console_rows),

@@ -1,0 +1,69 @@
+"""
+The campaign: runs per core-second, against one filterpy object and one pilot object per run,
+on two processes, and the paper's table.
+"""
+
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+from rvd_campaign import catalogue
+from rvd_campaign.loop import fly, LoopSettings
+from rvd_campaign.scenario import load
+
+MIN_RUNS_PER_CORE_S = 3000
+MIN_RATIO = 50
+MAX_TABLE_S = 60.0
+MIN_SPEED_UP = 1.8              # on two processes: near-linear
+BATCH = 2000
+ONE_BY_ONE = 10                 # runs of the slow way that are timed
+TABLE_RUNS = 10_000
+
+
+def measure(quick: bool = False) -> dict:
+    """
+    Fly a batch, the same work run by run, and `table3` with one and with two workers.
+
+    Rates are runs per second of CPU, draws included, with the paper's law in the world of
+    Clohessy and Wiltshire; times of the whole command are wall time.
+    """
+    paper = load(catalogue.find('scenarios', 'paper', ('.yaml',)))
+    batch, table = (BATCH // 4, TABLE_RUNS // 20) if quick else (BATCH, TABLE_RUNS)
+    # One filterpy filter with its own covariance, one pilot, one link plan ... for each run.
+    alone = paper.with_values('state_predictor', filter='adaptive').loop()
+    fly(alone, [0])                             # imports filterpy
+    repeats = 1 if quick else 3
+    rate = max(_rate(paper.loop(), range(batch)) for _ in range(repeats))
+    slow = max(_rate_one_by_one(alone, 2 if quick else ONE_BY_ONE) for _ in range(repeats))
+    one, two = (_campaign_s(max(table // 5, 200), workers) for workers in (1, 2))
+    return {'runs_per_core_s': round(rate), 'one_by_one_per_core_s': round(slow, 2),
+            'ratio': round(rate / slow, 1), 'speed_up_on_two': round(one / two, 2),
+            'table_runs': table, 'table3_s': round(_campaign_s(table, 2), 1)}
+
+
+def _rate(settings: LoopSettings, runs: range) -> float:
+    begun = time.process_time()
+    fly(settings, runs)
+    return len(runs) / (time.process_time() - begun)
+
+
+def _rate_one_by_one(settings: LoopSettings, count: int) -> float:
+    """Return runs per second of CPU when each is flown by itself."""
+    begun = time.process_time()
+    for run in range(count):
+        fly(settings, [run])
+    return count / (time.process_time() - begun)
+
+
+def _campaign_s(runs: int, workers: int) -> float:
+    """Return the wall time [s] of the whole command: start, flying, tables, figures."""
+    with tempfile.TemporaryDirectory() as folder:
+        command = [sys.executable, '-m', 'rvd_campaign.cli', 'campaign', 'table3',
+                   '--runs', str(runs), '--workers', str(workers),
+                   '--out', str(Path(folder) / 'table3')]
+        begun = time.perf_counter()
+        subprocess.run(command, check=True, stdout=subprocess.DEVNULL, env=dict(os.environ))
+        return time.perf_counter() - begun
