@@ -24,8 +24,12 @@ ROOT = Path(__file__).resolve().parents[1]
 TOOLS = ('awk bash cat comm cp cut date dirname env find flock grep kill ls mkdir mv readlink rm sed '
          'sha256sum sh sleep sort tail tr true uname').split()
 PYTHONS = ['3.10', '3.11', '3.12', '3.13']
-needs_wheels = pytest.mark.skipif(platform.machine() != 'x86_64',
-                                  reason='the wheels of ROS 2 exist for x86_64 only')
+
+
+def for_real(test):
+    """Mark a test that sets a copy up: minutes on a busy machine, and only where wheels exist."""
+    wheels = pytest.mark.skipif(platform.machine() != 'x86_64', reason='wheels are for x86_64')
+    return pytest.mark.slow(pytest.mark.timeout(1800)(wheels(test)))
 
 
 def outside():
@@ -273,9 +277,15 @@ def start(project, *arguments, **variables):
 
 
 def kill_in_stage(project, stage, delay_s, group=True):
-    """Start a set-up and kill -9 it, or its shell alone, some time after a stage began."""
+    """
+    Start a set-up and kill -9 it, or its shell alone, some time after a stage began.
+
+    Return what it had said.
+    """
     process = start(project, 'setup')
+    said = ''
     for line in process.stderr:
+        said += line
         if stage in line:
             break
     else:
@@ -288,6 +298,7 @@ def kill_in_stage(project, stage, delay_s, group=True):
     process.wait()
     process.stderr.close()
     assert not (project / '.rvd' / 'done').exists()
+    return said
 
 
 def tree(project):
@@ -305,8 +316,9 @@ def ready(tmp_path_factory):
     """
     project = copy_of_the_project(tmp_path_factory.mktemp('ready'))
     before = tree(project)
-    kill_in_stage(project, 'making the environment', 1.0)
-    kill_in_stage(project, 'installing', 2.0)
+    # The shell alone first: what it had started lives on, and must not meet the next set-up.
+    kill_in_stage(project, 'making the environment', 0.2, group=False)
+    assert 'waiting' in kill_in_stage(project, 'installing', 2.0)
     began = os.times()
     done = rvd(project, 'shell', 'python', '-c', 'import rclpy, rvd_interfaces.msg; print("loaded")')
     ended = os.times()
@@ -316,8 +328,7 @@ def ready(tmp_path_factory):
     return project, done, seconds
 
 
-@needs_wheels
-@pytest.mark.slow
+@for_real
 def test_the_first_command_sets_everything_up_and_says_what_it_does(ready):
     _, done, seconds = ready
     assert done.stdout == 'loaded\n'
@@ -328,8 +339,7 @@ def test_the_first_command_sets_everything_up_and_says_what_it_does(ready):
     assert seconds < 120.0
 
 
-@needs_wheels
-@pytest.mark.slow
+@for_real
 def test_a_second_call_has_nothing_to_do_and_takes_no_time(ready):
     project, *_ = ready
     record = (project / '.rvd' / 'done').stat()
@@ -344,8 +354,7 @@ def test_a_second_call_has_nothing_to_do_and_takes_no_time(ready):
     assert (project / '.rvd' / 'done').stat().st_mtime_ns == record.st_mtime_ns
 
 
-@needs_wheels
-@pytest.mark.slow
+@for_real
 def test_the_environment_is_complete_and_its_own(ready):
     project, *_ = ready
     line = ('echo "$ROS_AUTOMATIC_DISCOVERY_RANGE $OMP_NUM_THREADS $RVD_ROOT"; command -v python; '
@@ -360,8 +369,7 @@ def test_the_environment_is_complete_and_its_own(ready):
                ROS_AUTOMATIC_DISCOVERY_RANGE='SUBNET').stdout == 'SUBNET\n'
 
 
-@needs_wheels
-@pytest.mark.slow
+@for_real
 def test_node_finds_executables_as_ros2_run_does(ready):
     project, *_ = ready
     folder = project / '.rvd' / 'install' / 'rvd_dynamics' / 'lib' / 'rvd_dynamics'
@@ -375,8 +383,7 @@ def test_node_finds_executables_as_ros2_run_does(ready):
     assert 'usage' in refusal(rvd(project, 'node', 'rvd_dynamics'))
 
 
-@needs_wheels
-@pytest.mark.slow
+@for_real
 def test_an_edited_source_acts_at_once(ready):
     project, *_ = ready
     module = project / 'ros2_ws' / 'src' / 'rvd_dynamics' / 'rvd_dynamics' / 'constants.py'
@@ -395,8 +402,7 @@ CHANGES = {
 }
 
 
-@needs_wheels
-@pytest.mark.slow
+@for_real
 @pytest.mark.parametrize('name', CHANGES.values(), ids=CHANGES.keys())
 def test_a_change_is_noticed_and_its_undoing_too(ready, tmp_path, name):
     project, *_ = ready
@@ -409,8 +415,7 @@ def test_a_change_is_noticed_and_its_undoing_too(ready, tmp_path, name):
     assert rvd(project, 'shell', 'true', PATH=str(tools)).returncode == 0
 
 
-@needs_wheels
-@pytest.mark.slow
+@for_real
 def test_another_python_is_noticed(ready, tmp_path):
     project, *_ = ready
     tools = folder_of_tools(tmp_path / 'tools', without=['make'])
@@ -427,14 +432,12 @@ def test_another_python_is_noticed(ready, tmp_path):
     link.symlink_to(target)
 
 
-@needs_wheels
-@pytest.mark.slow
+@for_real
 def test_a_build_killed_half_way_is_repaired_with_the_change_that_caused_it(ready):
     project, *_ = ready
     message = project / 'ros2_ws' / 'src' / 'rvd_interfaces' / 'msg' / 'Verdict.msg'
     message.write_text(message.read_text() + 'uint8 added_by_test\n')
-    # The shell alone: its colcon lives on and must not meet that of the next call.
-    kill_in_stage(project, 'building', 4.0, group=False)
+    kill_in_stage(project, 'building', 4.0)
     both = [start(project, 'shell', 'python', '-c',
                   'from rvd_interfaces.msg import Verdict; Verdict().added_by_test')
             for _ in range(2)]
@@ -477,8 +480,7 @@ def imitate_installed_ros(prefix, venv):
         ROS_SETUP.format(prefix=prefix, libraries=':'.join(map(str, libraries))))
 
 
-@needs_wheels
-@pytest.mark.slow
+@for_real
 def test_an_installed_ros_is_built_on_and_left_as_it_is(ready, project, tmp_path):
     venv = ready[0] / '.rvd' / 'venv'
     prefix = tmp_path / 'jazzy'
@@ -509,8 +511,7 @@ def test_an_installed_ros_is_built_on_and_left_as_it_is(ready, project, tmp_path
     assert f'{prefix}/ros' not in entries[:-2] and len(entries) == 6
 
 
-@needs_wheels
-@pytest.mark.slow
+@for_real
 def test_a_moved_project_sets_itself_up_in_its_new_place(ready, tmp_path):
     project, *_ = ready
     moved = tmp_path / 'moved'

@@ -13,7 +13,7 @@ from pathlib import Path
 from rvd_campaign.campaign import engine, results
 from rvd_campaign.campaign.engine import KEPT, Workers
 from rvd_campaign.campaign.progress import clock, Progress
-from rvd_campaign.campaign.spec import Campaign, CampaignError, check_runs, load_campaign
+from rvd_campaign.campaign.spec import Campaign, check_runs, load_campaign
 from rvd_campaign.campaign.summary import finish, in_words, SUMMARY
 from rvd_campaign.exits import CannotRun, EXIT_DONE, EXIT_INTERRUPTED
 from rvd_campaign.fly import new_folder

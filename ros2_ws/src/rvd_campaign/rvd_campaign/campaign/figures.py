@@ -227,7 +227,7 @@ def failures(results: Results) -> Drawn:
                     baseline=None, label=condition.name)
     axes.set(xlabel='station x [m]', ylabel='left the corridor so far [% of runs]')
     axes.legend(loc='upper left')
-    return figure, 'Share of all runs that have left the corridor by the time they reach a station.'
+    return figure, 'Share of all runs that have left the corridor on the way to a station.'
 
 
 def replicates(results: Results) -> Drawn:

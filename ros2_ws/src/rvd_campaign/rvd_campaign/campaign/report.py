@@ -25,7 +25,8 @@ DASH, DOT = '\u2013', ' \u00b7 '
 MORE_STYLE = '''
 td.mark{color:var(--vermillion)}tr.reference td{color:var(--muted);font-style:italic}
 td{vertical-align:top}table.numbers td+td{white-space:nowrap}
-table.numbers td+td,table.numbers th+th{padding-left:.6rem}th,td{padding-right:.7rem}code{font-size:.85rem;overflow-wrap:anywhere}
+table.numbers td+td,table.numbers th+th{padding-left:.6rem}th,td{padding-right:.7rem}
+code{font-size:.85rem;overflow-wrap:anywhere}
 .scroll{overflow-x:auto}
 @media print{table{font-size:8.5pt}th,td{padding-right:.5rem}
 table.numbers td+td,table.numbers th+th{padding-left:.5rem}figure.tall{break-inside:auto}}

@@ -54,7 +54,8 @@ def wilson(successes: int, runs: int, z: float = Z95) -> Interval:
         If there are no runs, or more successes than runs.
     """
     if not 0 <= successes <= runs or runs < 1:
-        raise ValueError(f'successes must be 0 to runs, runs at least 1, got {successes} of {runs}')
+        raise ValueError(f'successes must be 0 to runs, runs at least 1, got {successes} of '
+                         f'{runs}')
     p, zz = successes / runs, z*z / runs
     middle = (p + zz/2) / (1 + zz)
     half = z / (1 + zz) * sqrt(p*(1 - p)/runs + zz/(4*runs))
