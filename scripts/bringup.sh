@@ -53,6 +53,7 @@ graph() {
         model)  start operator_model   rvd_groundstation  operator_model ;;
         replay) start joystick_replay  rvd_groundstation  joystick_replay ;;
         joy)    start joy_node         joy                joy_node ;;
+        console) start console         rvd_groundstation  console ;;
     esac
 
     # who watches

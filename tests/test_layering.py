@@ -27,9 +27,9 @@ WORLD = ['world', 'orbit.models', 'orbit.two_body', 'spacecraft.thrusters', 'sen
 
 # Outside of ros/ and nodes/ all the same: the live view of `rvd fly`, which listens to topics from
 # within the command's own process; the recorder's look-up of installed message definitions; and the
-# benchmark's graph of hollow nodes, with the view that follows it.
+# benchmark's graph of hollow nodes, with the view that follows it, and its ear on the stick.
 ALSO_ROS = {'rvd_campaign.watch', 'rvd_dynamics.recording.definitions',
-            'rvd_campaign.bench.bare', 'rvd_campaign.bench.graph'}
+            'rvd_campaign.bench.bare', 'rvd_campaign.bench.graph', 'rvd_campaign.bench.console'}
 
 
 def name_of(path):
@@ -93,8 +93,10 @@ def reached_from(name):
 
 
 PURE = [name for name in FILES if is_pure(name)]
+# The console's server deals with pages, which live by the wall clock.
 MATHEMATICS = [name for name in PURE if package_of(name) != 'rvd_campaign'
-               and not below(name, ['recording'])]
+               and not below(name, ['recording'])
+               and not name.startswith('rvd_groundstation.console')]
 GROUND = [name for name in FILES if package_of(name) == 'rvd_groundstation']
 
 

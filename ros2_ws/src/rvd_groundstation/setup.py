@@ -9,6 +9,7 @@ NODES = [
     'command_blender',
     'joystick_replay',
     'operator_model',
+    'console',
 ]
 
 setup(
@@ -19,6 +20,7 @@ setup(
         ('share/ament_index/resource_index/packages', ['resource/' + NAME]),
         ('share/' + NAME, ['package.xml']),
     ],
+    package_data={NAME: ['console/static/*', 'console/static/assets/*']},
     install_requires=['setuptools'],
     extras_require={'test': ['pytest']},         # by this `colcon test` knows to run pytest
     zip_safe=False,

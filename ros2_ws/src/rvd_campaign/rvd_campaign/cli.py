@@ -52,16 +52,17 @@ def _add_fly(commands: argparse._SubParsersAction) -> None:
                     'folder with bag/, verdict.json, scenario.yaml, report.html and logs/.',
         epilog='Exit codes: 0 docked, 1 flown and failed, 2 could not run, 130 Ctrl-C.')
     fly.add_argument('scenario', nargs='?', metavar='SCENARIO',
-                     help='name in `rvd list scenarios` or a file (default: paper)')
+                     help='name in `rvd list scenarios` or a file (default: paper; with '
+                          '--operator console: hand)')
     fly.add_argument('--mode', choices=('shared', 'manual', 'auto'),
                      help='who decides (default: the scenario, else shared)')
-    fly.add_argument('--operator', choices=('model', 'replay', 'joy', 'none'),
+    fly.add_argument('--operator', choices=('model', 'replay', 'console', 'joy', 'none'),
                      help='the pilot (default: the scenario, else model)')
     fly.add_argument('--tape', metavar='FILE',
                      help='with --operator replay: name in `rvd list tapes`, CSV file or bag')
-    fly.add_argument('--pace', metavar='lockstep|realtime|FACTOR', default='10',
+    fly.add_argument('--pace', metavar='lockstep|realtime|FACTOR',
                      help='lockstep: as fast as it goes; realtime; or FACTOR times real time '
-                          '(default: 10)')
+                          '(default: 10; for a person at a stick realtime)')
     fly.add_argument('--seed', type=int, metavar='N', help='seed of every random stream')
     fly.add_argument('--out', metavar='DIR',
                      help='run folder, must not exist (default: runs/<time>-<scenario>)')
@@ -74,6 +75,15 @@ def _add_fly(commands: argparse._SubParsersAction) -> None:
                      help='with --from: without DDS, only to see that the verdict is the same')
     fly.add_argument('--headless', action='store_true',
                      help='no live progress and no markers for viewers')
+    console = fly.add_argument_group('with --operator console')
+    console.add_argument('--port', type=int, default=8480, metavar='N',
+                         help='port of the page (default: 8480; 0: any free one)')
+    console.add_argument('--bind', default='127.0.0.1', metavar='ADDRESS',
+                         help='address of the page; any but 127.0.0.1 needs TLS')
+    console.add_argument('--tls-cert', default='', metavar='FILE', help='TLS certificate')
+    console.add_argument('--tls-key', default='', metavar='FILE', help='its key')
+    console.add_argument('--session', metavar='FILE',
+                         help='lead a volunteer through the flights of a session file')
     fly.set_defaults(run=_fly)
 
 
@@ -82,7 +92,7 @@ def _add_report(commands: argparse._SubParsersAction) -> None:
         'report', help='make the report of a run or a campaign again',
         description='Write report.html of a run from its bag alone, or of a campaign from its '
                     'results.')
-    report.add_argument('folder', metavar='RUN', help='a run, a bag or a campaign folder')
+    report.add_argument('folder', metavar='RUN', help='a run, a bag, a campaign or a session folder')
     report.set_defaults(run=_report)
 
 
@@ -145,8 +155,10 @@ def _add_bench(commands: argparse._SubParsersAction) -> None:
         description='Measure the graph against a hollow rclpy graph of the same shape, a warm '
                     'flight and the in-process loop, and say which targets are met. Leave the '
                     'machine alone meanwhile.')
-    bench.add_argument('part', nargs='?', choices=('graph', 'flight', 'loop', 'campaign', 'all'),
-                       default='all', help='what to measure (default: all, about two minutes)')
+    bench.add_argument('part', nargs='?', default='all',
+                       choices=('graph', 'flight', 'loop', 'campaign', 'console', 'all'),
+                       help='what to measure (default: all but the console, about two minutes; '
+                            'the console needs Chromium)')
     bench.add_argument('--quick', action='store_true', help='one repeat of each, small batches')
     bench.add_argument('--out', metavar='FILE', help='write the figures as JSON')
     bench.set_defaults(run=_bench)
@@ -161,6 +173,10 @@ def _report(args: argparse.Namespace) -> int:
     from pathlib import Path
 
     folder = Path(args.folder)
+    if (folder / 'session.json').is_file():
+        from rvd_campaign.people import write_session_report
+        print(write_session_report(folder))
+        return EXIT_DONE
     if (folder / 'campaign.json').is_file():
         from rvd_campaign.campaign.report import write_campaign_report
         print(write_campaign_report(folder))
@@ -193,4 +209,6 @@ def _bench(args: argparse.Namespace) -> int:
 
 
 if __name__ == '__main__':
-    sys.exit(main())
+    from rvd_campaign import cli                # one CannotRun: not __main__'s own copy
+
+    sys.exit(cli.main())

@@ -10,6 +10,7 @@ import signal
 import sys
 import time
 from pathlib import Path
+from typing import Callable
 
 from rvd_campaign import catalogue, verdict
 from rvd_campaign.domain import reserved_domain
@@ -26,6 +27,8 @@ SHOW_S = 0.2                    # [s] wall time between two looks
 def main(args: argparse.Namespace) -> int:
     """Fly one approach as the command line asks; return the exit code."""
     again = None
+    if args.pace is None:                       # a person flies in real time
+        args.pace = 'realtime' if args.operator in ('console', 'joy') else '10'
     if args.campaign is not None:
         from rvd_campaign.campaign import again
         if args.in_process:
@@ -33,6 +36,9 @@ def main(args: argparse.Namespace) -> int:
     elif args.condition or args.run_number is not None or args.in_process:
         raise CannotRun('--condition, --run and --in-process go with --from DIR')
     scenario = again.chosen(args) if again else chosen(args)
+    if scenario.mission.operator == 'console':
+        from rvd_campaign import console
+        return console.main(args, scenario)
     run_dir = new_folder(args.out, scenario.name)
     (run_dir / 'scenario.yaml').write_text(scenario.dump(), encoding='utf-8')
     signal.signal(signal.SIGTERM, lambda *_: signal.raise_signal(signal.SIGINT))
@@ -48,7 +54,8 @@ def main(args: argparse.Namespace) -> int:
 
 def chosen(args: argparse.Namespace) -> Scenario:
     """Return the scenario with what the command line changes in it."""
-    scenario = load(catalogue.find('scenarios', args.scenario or 'paper', ('.yaml',)))
+    usual = 'hand' if args.operator == 'console' else 'paper'
+    scenario = load(catalogue.find('scenarios', args.scenario or usual, ('.yaml',)))
     shared: dict[str, object] = dict(pace_of(args.pace))
     operator = args.operator or ('replay' if args.tape else scenario.mission.operator)
     if args.tape and operator != 'replay':
@@ -107,11 +114,13 @@ def new_folder(out: str | None, name: str) -> Path:
 class Flight:
     """One run under supervision."""
 
-    def __init__(self, scenario: Scenario, run_dir: Path, domain: int, headless: bool) -> None:
+    def __init__(self, scenario: Scenario, run_dir: Path, domain: int, headless: bool,
+                 stop_asked: Callable[[], bool] = lambda: False) -> None:
         self._scenario = scenario
         self._mission = scenario.mission
         self._run_dir = run_dir
         self._headless = headless
+        self._stop_asked = stop_asked
         self._supervisor = Supervisor(catalogue.root() / 'scripts' / 'bringup.sh',
                                       run_dir / 'scenario.yaml', run_dir, headless, domain)
         from rvd_campaign.watch import FlightWatch      # imports ROS while the nodes do, too
@@ -151,6 +160,8 @@ class Flight:
         while True:
             self._watch.spin(SHOW_S if self._watch.steps else 0.05)
             self._show()
+            if self._stop_asked():
+                raise KeyboardInterrupt
             failures = self._supervisor.failures()
             if failures:
                 return self._why(failures)

@@ -107,6 +107,11 @@ NODES = {
     'onboard_guard': Spec(
         fires_on=(('/onboard/command', 0),),
         emits=('/onboard/thruster_command',)),
+    'console': Spec(                            # never the truth: what came down the link
+        watches=('/ground/telemetry', '/ground/estimate', '/ground/prediction',
+                 '/ground/prediction_score', '/ground/auto_command', '/ground/command',
+                 '/link/back/status', '/run/pause', '/run/events', '/run/verdict'),
+        writes=('/joy',)),
     'mission_monitor': Spec(
         watches=('/truth/relative_state',),
         writes=('/run/verdict',)),

@@ -1,0 +1,229 @@
+"""
+`./rvd bench console`: from a stick in the page to `/joy`, what the bridge costs, 50 watchers.
+
+A real flight in real time with the page drawn by a headless Chromium; this process listens to
+`/joy` and matches each message by the number that its frame_id carries with the instant at
+which the page sampled the stick. Both clocks are this machine's.
+"""
+
+import asyncio
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+from typing import Any
+
+from rvd_campaign import catalogue
+from rvd_campaign.cli import CannotRun
+from rvd_campaign.domain import reserved_domain
+
+WATCHERS = 50
+PART_S = 15.0                   # [s] wall time of each of the two measurements
+GOALS = {'stick_p50_ms': 4.0, 'stick_p99_ms': 15.0, 'bridge_percent': 15.0,
+         'bundle_bytes': 1_000_000, 'usable_s': 1.0, 'watchers_ratio': 1.2}
+FLAGS = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
+         '--ignore-gpu-blocklist', '--disable-quic', '--no-first-run',
+         '--disable-background-networking', '--disable-component-update', '--disable-sync']
+
+
+def measure(quick: bool = False) -> dict[str, Any]:
+    """
+    Return the figures of the console, `PART_S` for each of two parts (a third when `quick`).
+
+    Raises
+    ------
+    CannotRun
+        If playwright or Chromium is missing, or the flight does not start.
+    """
+    try:
+        from playwright.sync_api import sync_playwright
+    except ImportError:
+        raise CannotRun('bench console needs playwright: pip install playwright') from None
+    browser = _which('chromium', 'chromium-browser', 'google-chrome')
+    part_s = PART_S / 3.0 if quick else PART_S
+    figures: dict[str, Any] = {'bundle_bytes': bundle_bytes()}
+    with reserved_domain() as domain, tempfile.TemporaryDirectory() as folder, \
+            sync_playwright() as play:
+        os.environ['ROS_DOMAIN_ID'] = str(domain)
+        flying = _start(Path(folder))
+        try:
+            chrome = play.chromium.launch(executable_path=browser, args=FLAGS)
+            figures.update(_measure(chrome, _url(flying, Path(folder)), flying.pid, part_s))
+            chrome.close()
+        finally:
+            flying.terminate()
+            flying.wait(30.0)
+    return figures
+
+
+def bundle_bytes() -> int:
+    """Return the size of the built page."""
+    from rvd_groundstation.console.server import STATIC
+    return sum(file.stat().st_size for file in STATIC.rglob('*') if file.is_file())
+
+
+def _which(*names: str) -> str:
+    import shutil
+    found = next((path for path in map(shutil.which, names) if path), None)
+    if found is None:
+        raise CannotRun('bench console needs Chromium: apt-get install -y chromium')
+    return found
+
+
+def _start(folder: Path) -> subprocess.Popen:
+    return subprocess.Popen(
+        [sys.executable, '-m', 'rvd_campaign.cli', 'fly', 'hand', '--operator', 'console',
+         '--port', '0', '--headless', '--mode', 'auto'], cwd=folder, start_new_session=True,
+        stdout=(folder / 'out').open('w'), stderr=subprocess.STDOUT,
+        env={**os.environ, 'RVD_ROOT': str(catalogue.root())})
+
+
+def _url(flying: subprocess.Popen, folder: Path) -> str:
+    for _ in range(300):
+        for line in (folder / 'out').read_text().splitlines():
+            if line.startswith('open '):
+                return line[5:]
+        if flying.poll() is not None:
+            raise CannotRun('the flight for the benchmark did not start')
+        time.sleep(0.1)
+    raise CannotRun('the console did not come up')
+
+
+def _measure(chrome: Any, url: str, fly_pid: int, part_s: float) -> dict[str, Any]:
+    page = chrome.new_page(viewport={'width': 1280, 'height': 720})
+    page.goto('about:blank')
+    begun = time.monotonic()
+    page.goto(url)
+    _until(page, 'rvd.store.connected')
+    usable = time.monotonic() - begun
+    page.keyboard.press('t')
+    _until(page, "rvd.store.status.lease === 'you'")
+    page.evaluate("(() => { rvd.link.ask({ do: 'fly', mode: 'auto' }); })()")
+    _until(page, "rvd.store.status.phase === 'flying' && Boolean(rvd.store.frame)")
+    joys = Joys()
+    try:
+        page.evaluate('''(() => { window.sent = [];
+            rvd.link.worker.addEventListener('message', (e) => {
+              if (e.data.type === 'sent') window.sent.push([e.data.sequence, e.data.at]); });
+            rvd.link.worker.postMessage({ log: true }); })()''')
+        bridge = _console_pid(fly_pid)
+        alone, cpu, pictures = _part(page, joys, bridge, part_s)
+        watchers = subprocess.Popen([sys.executable, __file__, url], stdin=subprocess.PIPE)
+        _until(page, f'rvd.store.status.pages > {WATCHERS}')
+        crowd, crowd_cpu, _ = _part(page, joys, bridge, part_s)
+        watchers.terminate()
+        watchers.wait()
+    finally:
+        joys.close()
+    return {
+        'usable_s': usable, 'pictures_per_s': pictures, 'sticks': len(alone),
+        'stick_p50_ms': rank(alone, 50), 'stick_p99_ms': rank(alone, 99), 'bridge_percent': cpu,
+        'watched_p50_ms': rank(crowd, 50), 'watched_p99_ms': rank(crowd, 99),
+        'watched_bridge_percent': crowd_cpu,
+        'watchers_ratio': rank(crowd, 99) / rank(alone, 99), 'load_average': os.getloadavg()[0]}
+
+
+def _part(page: Any, joys: 'Joys', bridge: int, part_s: float
+          ) -> tuple[list[float], float, float]:
+    """Return transit times [ms], CPU of the bridge [%] and pictures drawn per second."""
+    page.evaluate('(() => { window.sent = []; window.drawn = rvd.scene.drawn; })()')
+    joys.heard.clear()
+    cpu, begun = _cpu_s(bridge), time.monotonic()
+    while time.monotonic() - begun < part_s:
+        page.wait_for_timeout(250)
+    took = time.monotonic() - begun
+    used = _cpu_s(bridge) - cpu
+    sent = dict(page.evaluate('window.sent'))
+    pictures = page.evaluate('rvd.scene.drawn - window.drawn') / took
+    times = [joys.heard[n] - at for n, at in sent.items() if n in joys.heard]
+    if not times:
+        raise CannotRun('no stick sample reached /joy')
+    return times, 100.0 * used / took, pictures
+
+
+class Joys:
+    """Listens to /joy on a thread of its own."""
+
+    def __init__(self) -> None:
+        import threading
+
+        import rclpy
+        from rclpy.executors import SingleThreadedExecutor
+        from sensor_msgs.msg import Joy
+
+        from rvd_dynamics.ros.qos import HELD_STICK
+        self.heard: dict[int, float] = {}
+        rclpy.init(args=[], signal_handler_options=rclpy.signals.SignalHandlerOptions.NO)
+        self._node = rclpy.create_node('rvd_bench')
+        self._node.create_subscription(Joy, '/joy', self._take, HELD_STICK)
+        self._executor = SingleThreadedExecutor()
+        self._executor.add_node(self._node)
+        self._open = True
+        self._thread = threading.Thread(target=self._spin, daemon=True)
+        self._thread.start()
+
+    def _spin(self) -> None:
+        while self._open:
+            self._executor.spin_once(timeout_sec=0.2)
+
+    def _take(self, joy: Any) -> None:
+        self.heard[int(joy.header.frame_id.split()[1])] = time.time() * 1e3
+
+    def close(self) -> None:
+        """Leave the graph."""
+        import rclpy
+        self._open = False
+        self._thread.join(2.0)
+        self._node.destroy_node()
+        rclpy.try_shutdown()
+
+
+def rank(values: list[float], percent: float) -> float:
+    """Return the nearest-rank percentile."""
+    ordered = sorted(values)
+    return ordered[max(0, -(-len(ordered) * int(percent) // 100) - 1)]
+
+
+def _until(page: Any, condition: str, timeout_s: float = 60.0) -> None:
+    deadline = time.monotonic() + timeout_s
+    while not page.evaluate(condition):
+        if time.monotonic() > deadline:
+            raise CannotRun(f'the page did not get there: {condition}')
+        time.sleep(0.02)
+
+
+def _cpu_s(pid: int) -> float:
+    fields = Path(f'/proc/{pid}/stat').read_text().rsplit(')', 1)[1].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf('SC_CLK_TCK')
+
+
+def _console_pid(parent: int) -> int:
+    for stat in Path('/proc').glob('[0-9]*/stat'):
+        try:
+            fields = stat.read_text().rsplit(')', 1)[1].split()
+            words = (stat.parent / 'cmdline').read_bytes()
+        except OSError:
+            continue
+        if int(fields[1]) == parent and b'--serve' in words:
+            return int(stat.parent.name)
+    raise CannotRun('the console process was not found')
+
+
+async def _watch(url: str) -> None:
+    """Be all the watchers, in a process of their own."""
+    import aiohttp
+    address, token = url.split('/#')
+    async with aiohttp.ClientSession() as session:
+        async def one() -> None:
+            async with session.ws_connect(
+                    address + '/ws', protocols=('rvd.console.1', 'token.' + token),
+                    headers={'Origin': address}) as socket:
+                async for _ in socket:
+                    pass
+        await asyncio.gather(*(one() for _ in range(WATCHERS)))
+
+
+if __name__ == '__main__':
+    asyncio.run(_watch(sys.argv[1]))

@@ -1,0 +1,70 @@
+"""The report of a session: only what counts, counted by hand."""
+
+import csv
+import json
+
+import pytest
+
+from rvd_campaign.people import conditions, is_session, pairs, read_flights, write_session_report
+
+
+def flight(folder, who, number, condition, success, *, training=False, seed=1, offset=0.1,
+           rating=3, tlx=40.0, rated=True):
+    run = folder / who / f'{number:02d}-{condition}'
+    run.mkdir(parents=True)
+    (run / 'verdict.json').write_text(json.dumps({
+        'success': success, 'reason': 'docked' if success else 'left_corridor',
+        'duration_s': 120.0, 'delta_v_m_s': 0.2,
+        'terminal': {'x_rate_m_s': 0.25, 'offset_m': offset, 'lateral_rate_m_s': 0.02}}))
+    if rated:
+        (run / 'ratings.json').write_text(json.dumps({
+            'volunteer': who, 'number': number, 'condition': condition, 'mode': condition,
+            'training': training, 'seed': seed, 'cooper_harper': {'rating': rating},
+            'tlx': {'mean': tlx}}))
+
+
+@pytest.fixture
+def session(tmp_path):
+    (tmp_path / 'session.json').write_text(json.dumps(
+        {'title': 'A <session>', 'conditions': {'manual': 'manual', 'shared': 'shared'}}))
+    flight(tmp_path, 'P01', 1, 'manual', True, training=True, offset=9.0)
+    flight(tmp_path, 'P01', 2, 'manual', True, seed=1, offset=0.1, rating=4, tlx=50.0)
+    flight(tmp_path, 'P01', 3, 'manual', False, seed=2, offset=0.9, rating=8, tlx=70.0)
+    flight(tmp_path, 'P01', 4, 'shared', True, seed=1, offset=0.2)
+    flight(tmp_path, 'P01', 5, 'shared', True, seed=2, offset=0.1)
+    flight(tmp_path, 'P02', 1, 'manual', True, seed=1, rated=False)
+    return tmp_path
+
+
+def test_training_and_unrated_flights_do_not_count(session):
+    flights, left_out = read_flights(session)
+    assert len(flights) == 5 and left_out == 1
+    manual, shared = conditions(flights, ['manual', 'shared'])
+    assert (manual.flights, manual.successes) == (2, 1)
+    assert (shared.flights, shared.successes) == (2, 2)
+
+
+def test_means_are_over_successes_as_in_the_paper(session):
+    manual, shared = conditions(read_flights(session)[0], ['manual', 'shared'])
+    assert manual.offset == pytest.approx(0.1) and shared.offset == pytest.approx(0.15)
+    assert manual.cooper_harper == (6, 4, 8)
+    assert manual.tlx == (60.0, pytest.approx(200.0 ** 0.5))
+
+
+def test_flights_are_paired_by_volunteer_and_seed(session):
+    assert pairs(read_flights(session)[0], 'manual', 'shared') == (1, 0, 1, 0)
+
+
+def test_the_report_and_every_flight_are_written(session):
+    assert is_session(session)
+    page = write_session_report(session).read_text()
+    assert 'A &lt;session&gt;' in page and 'only shared 1' in page
+    with (session / 'flights.csv').open() as file:
+        rows = list(csv.DictReader(file))
+    assert [row['number'] for row in rows] == ['1', '2', '3', '4', '5']
+
+
+def test_a_session_without_a_rated_flight_is_refused(tmp_path):
+    (tmp_path / 'session.json').write_text('{"title": "t", "conditions": {}}')
+    with pytest.raises(ValueError, match='no rated flight'):
+        write_session_report(tmp_path)

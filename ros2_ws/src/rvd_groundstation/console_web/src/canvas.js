@@ -1,0 +1,38 @@
+// 2D canvases that keep sharp: sized to their box, drawn in units of rem.
+
+export const COLOUR = {
+  measured: '#7cc4ff', predicted: '#ffb652', auto: '#d59bf6', ok: '#56d6b0', alarm: '#ff7a5c',
+  wall: '#8aa4bd', boundary: '#b9c2a0', dim: '#8fa1b3', line: '#263544', text: '#dbe5ee', truth: '#f2f5f8',
+  stale: '#7b8793',
+};
+
+export function begin(canvas) {
+  const box = canvas.getBoundingClientRect();
+  const ratio = Math.min(devicePixelRatio || 1, 2);
+  const width = Math.max(1, Math.round(box.width * ratio));
+  const height = Math.max(1, Math.round(box.height * ratio));
+  if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
+  const pen = canvas.getContext('2d');
+  pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+  pen.clearRect(0, 0, box.width, box.height);
+  const rem = parseFloat(getComputedStyle(document.documentElement).fontSize);
+  pen.font = `${0.74 * rem}px system-ui, sans-serif`;
+  pen.lineWidth = rem / 12;
+  return { pen, w: box.width, h: box.height, rem };
+}
+
+export function ring(pen, x, y, r, colour, dash) {
+  pen.strokeStyle = colour;
+  pen.setLineDash(dash || []);
+  pen.beginPath();
+  pen.arc(x, y, Math.max(r, 0), 0, 7);
+  pen.stroke();
+  pen.setLineDash([]);
+}
+
+export function text(pen, words, x, y, colour, align = 'left', base = 'middle') {
+  pen.fillStyle = colour;
+  pen.textAlign = align;
+  pen.textBaseline = base;
+  pen.fillText(words, x, y);
+}

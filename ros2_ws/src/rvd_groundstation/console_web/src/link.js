@@ -1,0 +1,41 @@
+// The page's side of the worker that holds the socket.
+
+export class Link {
+  constructor(token, onMessage) {
+    this.token = token;
+    this.waiting = new Map();
+    this.number = 0;
+    this.worker = new Worker(new URL('./link.worker.js', import.meta.url), { type: 'module' });
+    this.worker.onmessage = (event) => this.take(event.data, onMessage);
+    const scheme = location.protocol === 'https:' ? 'wss' : 'ws';
+    this.worker.postMessage({ open: { url: `${scheme}://${location.host}/ws`, token } });
+  }
+
+  take(message, onMessage) {
+    if (message.type === 'reply' && this.waiting.has(message.id)) {
+      this.waiting.get(message.id)(message);
+      this.waiting.delete(message.id);
+    }
+    onMessage(message);
+  }
+
+  // Say how the stick stands; also the beat that shows that this thread is alive.
+  stick(state, now) {
+    this.worker.postMessage({ stick: state, now });
+  }
+
+  // Ask for something; the promise gives the reply.
+  ask(wish) {
+    const id = ++this.number;
+    return new Promise((resolve) => {
+      this.waiting.set(id, resolve);
+      this.worker.postMessage({ ask: { ...wish, id } });
+    });
+  }
+
+  async get(path) {
+    const response = await fetch(path, { headers: { Authorization: `Bearer ${this.token}` } });
+    if (!response.ok) throw new Error((await response.text()).trim());
+    return response.json();
+  }
+}

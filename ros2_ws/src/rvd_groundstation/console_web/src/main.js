@@ -1,0 +1,287 @@
+// The page: words into their places, messages into the store, the store onto the screen.
+
+import { Charts } from './charts.js';
+import { Desk } from './desk.js';
+import * as dialogs from './dialogs.js';
+import { Motion, Thrust, bullseye, clock, dial, linkCounts, number, reticle } from './instruments.js';
+import { counts, ladder } from './ladder.js';
+import { Link } from './link.js';
+import { Review } from './review.js';
+import { Scene, VIEWS, scaleText } from './scene.js';
+import { Stick, typing } from './stick.js';
+import { Store } from './store.js';
+import { S, fill } from './strings.js';
+
+const $ = (id) => document.getElementById(id);
+const FRAME_MS = 1000 / 30;
+const STALE_S = 1.0; // beyond what the delay explains
+const ARM_MS = 2000; // between the two presses of ABORT
+const MODES = ['manual', 'shared', 'auto'];
+
+for (const element of document.querySelectorAll('[data-s]')) element.textContent = S[element.dataset.s];
+for (const element of document.querySelectorAll('[data-a]')) element.setAttribute('aria-label', S[element.dataset.a]);
+
+const token = decodeURIComponent(location.hash.slice(1)) || sessionStorage.getItem('rvd.token') || '';
+if (token) {
+  sessionStorage.setItem('rvd.token', token);
+  history.replaceState(null, '', location.pathname + location.search); // the token does not stay on a shared screen
+}
+
+const store = new Store();
+const motion = new Motion();
+const thrust = new Thrust();
+const charts = new Charts();
+const scene = new Scene($('gl'), $('view'), $('camera'), $('labels'));
+scene.enabled = !new URLSearchParams(location.search).has('plain'); // for weak machines
+let armedAt = -Infinity;
+let drawnAt = 0;
+let shownVerdict = null;
+let chartsAt = 0;
+const link = token ? new Link(token, take) : null;
+const stick = new Stick((state, now) => link?.stick(state, now));
+const desk = new Desk(link);
+const review = new Review(link, scene, charts, () => refreshRun());
+
+if (!token) dialogs.message(S.no_token_title, S.no_page_token);
+
+function take(message) {
+  if (message.type === 'desk') {
+    desk.show(message, store.status.lease === 'you');
+    return;
+  }
+  const phase = store.status.phase;
+  store.take(message);
+  if (message.type === 'run' && !review.on) refreshRun();
+  if (message.type === 'status') {
+    if (message.phase === 'starting' && phase !== 'starting') dialogs.close();
+    showStatus();
+    desk.lease(message.lease === 'you');
+  }
+  if (message.type === 'verdict' && store.frame && shownVerdict !== message && !review.on && !store.can.desk) {
+    shownVerdict = message;
+    dialogs.verdict(message, store.can.fly && store.status.lease === 'you', () => newRun());
+  }
+  if (message.type === 'event') $('event').textContent = `${number(message.t, 1)} s · ${message.text}`;
+  if (message.type === 'reply' && !message.ok) $('event').textContent = message.code ? dialogs.refused(message.code) : message.text;
+  if (!message.type) showStatus();
+}
+
+function refreshRun() {
+  if (!store.run) return;
+  scene.setRun(store.run);
+  motion.setRun(store.run);
+  $('run-name').textContent = `${store.run.name} · ${store.run.forward_s} s + ${store.run.back_s} s`;
+  $('run-name').title = $('run-name').textContent;
+}
+
+// -- what the pilot does ------------------------------------------------------------------
+
+async function toggleLease() {
+  await link.ask({ do: store.status.lease === 'you' ? 'drop' : 'take' });
+}
+
+function setMode(mode) {
+  if (store.frame) link.ask({ do: 'mode', mode });
+}
+
+function togglePause() {
+  if (store.frame) link.ask({ do: store.frame.paused ? 'resume' : 'pause' });
+}
+
+function abort() {
+  const now = performance.now();
+  if (now - armedAt < ARM_MS) {
+    armedAt = -Infinity;
+    link.ask({ do: 'abort' });
+  } else {
+    armedAt = now;
+  }
+  showAbort();
+  setTimeout(showAbort, ARM_MS + 50);
+}
+
+function showAbort() {
+  const armed = performance.now() - armedAt < ARM_MS;
+  $('abort').classList.toggle('armed', armed);
+  $('abort').querySelector('small').textContent = armed ? S.abort_armed : S.abort_hint;
+}
+
+function newRun() {
+  if (store.status.lease !== 'you') link.ask({ do: 'take' });
+  dialogs.newRun(store, (wish) => link.ask(wish));
+}
+
+function nextView() {
+  setView(VIEWS[(VIEWS.indexOf(scene.kind) + 1) % VIEWS.length]);
+}
+
+function setView(kind) {
+  scene.kind = kind;
+  for (const button of document.querySelectorAll('[data-view]')) {
+    button.setAttribute('aria-pressed', String(button.dataset.view === kind));
+  }
+  $('scale').textContent = scaleText(kind);
+}
+
+const PRESSES = {
+  KeyT: toggleLease, KeyP: togglePause, KeyX: abort, KeyN: newRun, KeyV: nextView,
+  KeyL: () => review.list(), KeyG: () => dialogs.stickSettings(stick), Slash: dialogs.help,
+  KeyM: () => setMode(MODES[(MODES.indexOf(store.frame?.mode) + 1) % 3]),
+  Equal: () => scene.zoom(0.85), Minus: () => scene.zoom(1.18),
+  BracketLeft: () => scene.turn(0.15, 0), BracketRight: () => scene.turn(-0.15, 0),
+};
+addEventListener('keydown', (event) => {
+  if (event.repeat || event.ctrlKey || event.metaKey || event.altKey || typing(event.target)) return;
+  if ($('dialog').open && event.code !== 'KeyX') return;
+  if (PRESSES[event.code] && link) PRESSES[event.code]();
+});
+$('lease').onclick = toggleLease;
+$('pause').onclick = togglePause;
+$('abort').onclick = abort;
+$('restart').onclick = newRun;
+$('open-review').onclick = () => review.list();
+$('open-settings').onclick = () => dialogs.stickSettings(stick);
+$('open-help').onclick = dialogs.help;
+for (const button of document.querySelectorAll('[data-mode]')) button.onclick = () => setMode(button.dataset.mode);
+for (const button of document.querySelectorAll('[data-view]')) button.onclick = () => setView(button.dataset.view);
+$('legend').innerHTML = [['measured', 'measured', ''], ['predicted', 'predicted', ''], ['drift', 'predicted', 'dash'],
+  ['wall', '', ''], ['boundary', '', 'dash']].map(([key, tone, dash]) => `<span class="${tone} ${dash}" data-legend="${key}">${S.legend[key]}</span>`).join('');
+document.querySelector('[data-legend=wall]').style.color = '#8aa4bd';
+document.querySelector('[data-legend=boundary]').style.color = '#b9c2a0';
+setView('orbit');
+
+// -- what the page shows ------------------------------------------------------------------
+
+function showStatus() {
+  const { status } = store;
+  const mine = status.lease === 'you';
+  $('lease').textContent = mine ? S.drop : status.lease === 'other' ? S.taken : S.take;
+  $('lease').disabled = status.lease === 'other';
+  $('lease').classList.toggle('primary', status.lease === 'free');
+  $('pages').textContent = status.pages === 1 ? S.pages_one : fill(S.pages, { n: status.pages });
+  $('socket-state').textContent = store.connected ? `● ${S.socket_open}` : `○ ${S.socket_closed}`;
+  $('socket-state').className = store.connected ? 'ok' : 'alarm';
+  for (const id of ['pause', 'restart']) $(id).disabled = !mine;
+  for (const button of document.querySelectorAll('[data-mode]')) button.disabled = !mine;
+}
+
+function banner(words, small, alarm) {
+  const element = $('banner');
+  const html = words ? `${words}${small ? `<small>${small}</small>` : ''}` : '';
+  if (element.dataset.said !== html) {
+    element.dataset.said = html;
+    element.innerHTML = html;
+  }
+  element.classList.toggle('alarm', Boolean(alarm));
+}
+
+function showBanner(silence) {
+  const { status, frame, run, verdict } = store;
+  if (!store.connected && link) banner(S.socket_closed, '', true);
+  else if (status.phase === 'idle') banner(S.idle, S.idle_text);
+  else if (status.phase === 'starting') banner(S.starting, status.run || '');
+  else if (status.note === 'failed') banner(S.run_failed, '', true);
+  else if (silence > STALE_S) banner(fill(S.stale_frames, { s: silence.toFixed(0) }), '', true);
+  else if (store.abortAt !== null && !verdict && frame) {
+    const acts = [...store.ladder.values()].some((rung) => rung.kind === 3 && (rung.state === 2 || rung.state === 3));
+    banner(acts ? S.aborted : fill(S.abort_sent, { s: Math.max(0, run.forward_s - (frame.t - store.abortAt)).toFixed(0) }), '', true);
+  } else if (status.pilot_lost) banner(S.pilot_lost, '', true);
+  else if (frame?.paused) banner(S.paused, '');
+  else if (frame && !frame.tm && status.phase === 'flying') banner(S.no_telemetry, fill(S.first_in, { s: Math.max(0, run.back_s - frame.t).toFixed(0) }));
+  else if (verdict) banner(S.verdict[verdict.reason] || verdict.reason, '', !verdict.success);
+  else banner('');
+}
+
+function showStick() {
+  const mine = store.status.lease === 'you';
+  const held = stick.state().held;
+  const words = !mine ? S.stick_watch : held ? `${S.stick_held} · ${S[stick.source]}` : S.stick_open;
+  $('stick-state').textContent = words;
+  $('stick-state').className = !mine ? 'dim' : held ? 'ok' : 'alarm';
+  $('level').textContent = mine && stick.source === 'keyboard' ? `${S.level} ${stick.level}` : '';
+}
+
+function showClocks(frame, now) {
+  const { run } = store;
+  const age = frame.tm ? now - frame.tm.gen : null;
+  const stale = age !== null && age > run.back_s + STALE_S * Math.max(run.pace, 1);
+  clock('gen', frame.tm ? frame.tm.gen : null, age === null ? '' : fill(S.age, { s: number(age, 1) }), stale);
+  clock('rx', frame.tm ? frame.tm.rx : null, frame.tm ? fill(S.ago, { s: number(now - frame.tm.rx, 1) }) : '', stale);
+  clock('pred', frame.pred?.ok ? frame.pred.t : null, frame.pred?.ok ? fill(S.ahead, { s: number(frame.pred.t - now, 1) }) : '', stale);
+  return stale;
+}
+
+function leaveText(outlook) {
+  if (!outlook) return [S.unknown, false];
+  if (outlook.d < 0) return [S.leave_out, true];
+  if (outlook.leave === null) return [S.leave_never, false];
+  return [`${outlook.leave.toFixed(0)} s`, outlook.leave < store.run.forward_s + store.run.back_s];
+}
+
+function tubeOf(frame) {
+  const { run, trail } = store;
+  if (!frame.est?.ok || !frame.pred?.ok) return [];
+  const begin = frame.est.t - run.forward_s; // a prediction shown at t was for t + forward
+  const points = [[...frame.est.x.slice(0, 3), 2 * (frame.est.s ? Math.max(frame.est.s[1], frame.est.s[2]) : 0.02)]];
+  const some = trail.filter((row) => row[0] > begin);
+  const stride = Math.max(1, Math.floor(some.length / 24));
+  for (let i = 0; i < some.length; i += stride) points.push([...some[i].slice(4, 7), 2 * some[i][7]]);
+  const s = frame.pred.s ? Math.max(frame.pred.s[1], frame.pred.s[2]) : 0.05;
+  points.push([...frame.pred.x.slice(0, 3), 2 * s]);
+  return points;
+}
+
+function showFrame() {
+  const { frame, run } = store;
+  const silence = store.silence();
+  showBanner(silence);
+  showStick();
+  $('pause').textContent = frame?.paused ? S.resume : S.pause;
+  for (const button of document.querySelectorAll('[data-mode]')) {
+    button.setAttribute('aria-pressed', String(button.dataset.mode === (frame?.mode || run?.mode)));
+  }
+  if (!run || !frame) return;
+  const now = store.now();
+  const stale = showClocks(frame, now) || silence > STALE_S || !store.connected;
+  document.body.classList.toggle('stale', stale);
+  const first = frame.tm?.x;
+  const second = frame.pred?.ok ? frame.pred.x : null;
+  motion.show(first, second, run, stale);
+  bullseye($('bullseye'), run, first, second, frame.pred?.s, frame.margin);
+  const [words, alarm] = leaveText(frame.margin);
+  $('leave-time').textContent = words;
+  $('leave-time').className = alarm ? 'alarm' : '';
+  thrust.show(frame.pilot, frame.auto, frame.cmd);
+  dial($('dial'), run, frame.rtt, frame.tm?.transit);
+  linkCounts(frame, run.step_s);
+  ladder($('ladder'), run, store.ladder.values(), now);
+  $('ladder-counts').textContent = counts(store.ladder.values());
+  scene.place({ measured: first?.slice(0, 3), predicted: second?.slice(0, 3), trail: store.trail.map((row) => row.slice(1, 4)),
+    tube: tubeOf(frame), drift: frame.margin?.path, stale });
+  if (performance.now() - chartsAt > 250) {
+    chartsAt = performance.now();
+    charts.show(store.errors);
+    const rms = frame.score?.rms;
+    $('error-rms').textContent = rms && rms[0] !== null ? fill(S.rms, { p: number(100 * Math.hypot(rms[0], rms[1], rms[2]), 1),
+      v: number(1000 * Math.hypot(rms[3], rms[4], rms[5]), 1) }) : '';
+  }
+}
+
+function draw(at) {
+  requestAnimationFrame(draw);
+  if (at - drawnAt < FRAME_MS - 2) return;
+  scene.adapt(at - drawnAt);
+  drawnAt = at;
+  if (review.on) {
+    review.show({ motion, thrust, tubeOf });
+  } else {
+    showFrame();
+  }
+  scene.draw();
+  const shown = review.on ? review.camera() : store.frame && { state: store.frame.tm?.x, predicted: store.frame.pred?.ok ? store.frame.pred.x : null };
+  if (shown && (store.run || review.run)) reticle($('reticle'), scene, review.on ? review.run : store.run, shown.state, shown.predicted);
+}
+
+showStatus();
+requestAnimationFrame(draw);
+window.rvd = { store, scene, stick, review, link }; // for tests and the curious

@@ -1,0 +1,111 @@
+"""
+Who may talk to the console: token, Host, Origin, and how often.
+
+Host is checked against DNS rebinding, Origin against pages of other sites that open sockets
+here, the token against everybody else on this machine. No clock of its own: instants are
+given [s].
+"""
+
+import hmac
+import secrets
+from dataclasses import dataclass
+
+LOOPBACK = ('127.0.0.1', 'localhost', '[::1]')
+TOKEN_BYTES = 16                # 128 bits
+SUBPROTOCOL = 'rvd.console.1'
+TOKEN_PREFIX = 'token.'         # the token travels as a second subprotocol of the handshake
+
+CONTENT_POLICY = ("default-src 'self'; base-uri 'none'; form-action 'none'; "
+                  "frame-ancestors 'none'; object-src 'none'")
+HEADERS = {
+    'Content-Security-Policy': CONTENT_POLICY,
+    'X-Content-Type-Options': 'nosniff',
+    'X-Frame-Options': 'DENY',
+    'Referrer-Policy': 'no-referrer',
+    'Cross-Origin-Opener-Policy': 'same-origin',
+    'Cross-Origin-Resource-Policy': 'same-origin',
+}
+
+
+def new_token() -> str:
+    """Return a fresh token of 128 bits, fit for a URL."""
+    return secrets.token_urlsafe(TOKEN_BYTES)
+
+
+def check_bind(bind: str, certificate: str, key: str) -> None:
+    """
+    Refuse an address that strangers can reach without TLS.
+
+    Raises
+    ------
+    ValueError
+        If `bind` is not a loopback address and certificate or key is missing.
+    """
+    if bind in ('127.0.0.1', '::1', 'localhost'):
+        return
+    if not (certificate and key):
+        raise ValueError(f'the console binds to 127.0.0.1 only: {bind} can be reached by others '
+                         'and needs TLS, give a certificate and a key (--tls-cert, --tls-key)')
+
+
+@dataclass(frozen=True)
+class Access:
+    """The rules for one server."""
+
+    token: str
+    bind: str
+    port: int
+    secure: bool = False
+
+    @property
+    def hosts(self) -> frozenset[str]:
+        """Values of the Host header that are ours."""
+        names = set(LOOPBACK)
+        if self.bind not in ('127.0.0.1', '::1', '0.0.0.0', '::'):
+            names.add(self.bind)
+        return frozenset(f'{name}:{self.port}' for name in names)
+
+    @property
+    def url(self) -> str:
+        """The address to open; the token is in the fragment, which no request carries."""
+        scheme = 'https' if self.secure else 'http'
+        host = '127.0.0.1' if self.bind in ('127.0.0.1', '0.0.0.0', '::') else self.bind
+        return f'{scheme}://{host}:{self.port}/#{self.token}'
+
+    def refusal(self, host: str | None, origin: str | None, must_have_origin: bool) -> str | None:
+        """Return why a request with these headers is refused, None when it is not."""
+        if host not in self.hosts:
+            return 'HOST'
+        if origin is None:
+            return 'ORIGIN' if must_have_origin else None
+        scheme = 'https' if self.secure else 'http'
+        return None if origin in {f'{scheme}://{ours}' for ours in self.hosts} else 'ORIGIN'
+
+    def knows(self, token: str | None) -> bool:
+        """Say whether this is the token, in a time that does not depend on it."""
+        return token is not None and hmac.compare_digest(token.encode(), self.token.encode())
+
+
+def token_of(subprotocols: list[str]) -> str | None:
+    """Return the token among the subprotocols of a handshake."""
+    for word in subprotocols:
+        if word.startswith(TOKEN_PREFIX):
+            return word[len(TOKEN_PREFIX):]
+    return None
+
+
+class Throttle:
+    """So many per second on average, and a burst of at most `burst`."""
+
+    def __init__(self, rate: float, burst: float) -> None:
+        self._rate, self._burst = rate, burst
+        self._left, self._at = burst, 0.0
+
+    def allow(self, now: float) -> bool:
+        """Take one, if there is one."""
+        self._left = min(self._burst, self._left + max(now - self._at, 0.0) * self._rate)
+        self._at = now
+        if self._left < 1.0:
+            return False
+        self._left -= 1.0
+        return True

@@ -1,0 +1,278 @@
+"""
+The experiment desk: leads a volunteer through training, flights, ratings and breaks.
+
+A session file says which conditions are compared, how many flights each and when to rest. The
+order of the conditions follows a balanced Latin square (each condition comes as often before
+as after each other one), its rows dealt out by the session's seed; flight j of a volunteer has
+the same seed in every condition, so that conditions are compared in pairs.
+
+Ratings after each flight: Cooper-Harper (G. E. Cooper, R. P. Harper, NASA TN D-5153, 1969: the
+decision tree gives the range, the pilot picks in it) and NASA-TLX (S. G. Hart, L. E. Staveland,
+1988: six scales of 0 to 100 in steps of 5, unweighted mean). They are written beside the bag
+under a pseudonym; no name is ever asked.
+"""
+
+import json
+import time
+from dataclasses import dataclass
+from pathlib import Path
+from random import Random
+from typing import Any
+
+import yaml
+
+from rvd_dynamics.mission import MODES
+
+TLX = ('mental', 'physical', 'temporal', 'performance', 'effort', 'frustration')
+KEYS = ('title', 'seed', 'conditions', 'training', 'flights', 'break_after', 'break_s')
+MAX_VOLUNTEERS = 999
+RATINGS = 'ratings.json'
+
+
+@dataclass(frozen=True)
+class Session:
+    """A checked session file."""
+
+    title: str
+    seed: int
+    conditions: dict[str, str]          # name: mode
+    training: int                       # flights per condition before those that count
+    flights: int                        # per condition
+    break_after: int                    # flights between two breaks; 0: none
+    break_s: float                      # [s] wall time
+
+
+@dataclass(frozen=True)
+class Flight:
+    """One flight of a volunteer's plan."""
+
+    number: int                         # within the plan, from 1
+    condition: str
+    mode: str
+    training: bool
+    seed: int
+
+    @property
+    def folder(self) -> str:
+        """Name of its run folder."""
+        return f'{self.number:02d}-{self.condition}' + ('-training' if self.training else '')
+
+
+def read_session(path: Path) -> Session:
+    """
+    Read a session file.
+
+    Raises
+    ------
+    ValueError
+        With one line that names the file and what is wrong.
+    """
+    try:
+        tree = yaml.safe_load(path.read_text(encoding='utf-8'))
+    except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
+        raise ValueError(f'cannot read session {path}: {" ".join(str(error).split())}') from None
+    if not isinstance(tree, dict):
+        raise ValueError(f'session {path} must hold {", ".join(KEYS)}')
+    unknown = sorted(set(tree) - set(KEYS))
+    if unknown:
+        raise ValueError(f'session {path}: unknown key {unknown[0]}; known: {", ".join(KEYS)}')
+    conditions = tree.get('conditions')
+    if not isinstance(conditions, dict) or not conditions:
+        raise ValueError(f'session {path}: conditions must map names to {{mode: ...}}')
+    modes = {}
+    for name, body in conditions.items():
+        mode = body.get('mode') if isinstance(body, dict) and set(body) == {'mode'} else None
+        if not str(name).isidentifier() or mode not in MODES:
+            raise ValueError(f'session {path}: condition {name!r} must be a plain word with '
+                             f'mode: {", ".join(MODES)}')
+        modes[str(name)] = mode
+    return Session(str(tree.get('title', path.stem)), _whole(path, tree, 'seed', 0, 1 << 30),
+                   modes, _whole(path, tree, 'training', 1, 50),
+                   _whole(path, tree, 'flights', 10, 200),
+                   _whole(path, tree, 'break_after', 10, 1000),
+                   float(_whole(path, tree, 'break_s', 60, 3600)))
+
+
+def _whole(path: Path, tree: dict, key: str, default: int, most: int) -> int:
+    value = tree.get(key, default)
+    if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value <= most:
+        raise ValueError(f'session {path}: {key} must be a whole number up to {most}, '
+                         f'got {value!r}')
+    return value
+
+
+def latin_square(n: int) -> list[list[int]]:
+    """
+    Return the rows of a balanced Latin square of order `n` (E. J. Williams, 1949).
+
+    Over the rows each item stands once in each place, and each item comes directly after each
+    other one equally often; an odd `n` takes 2 n rows for that.
+    """
+    first, low, high = [0], 1, n - 1
+    while len(first) < n:
+        first.append(low if len(first) % 2 else high)
+        low, high = (low + 1, high) if first[-1] == low else (low, high - 1)
+    rows = [[(item + shift) % n for item in first] for shift in range(n)]
+    return rows if n % 2 == 0 else rows + [row[::-1] for row in rows]
+
+
+def plan(session: Session, volunteer: int) -> list[Flight]:
+    """Return the flights of a volunteer (1, 2, ...) in order."""
+    names = list(session.conditions)
+    rows = latin_square(len(names))
+    Random(session.seed).shuffle(rows)
+    flights: list[Flight] = []
+    base = session.seed + 1000 * volunteer
+    for index in rows[(volunteer - 1) % len(rows)]:
+        name = names[index]
+        for j in range(session.training + session.flights):
+            training = j < session.training
+            seed = base + (900 + j if training else j - session.training)
+            flights.append(Flight(len(flights) + 1, name, session.conditions[name], training,
+                                  seed))
+    return flights
+
+
+def cooper_harper_range(controllable: bool, adequate: bool, satisfactory: bool
+                        ) -> tuple[int, int]:
+    """Return the lowest and highest rating that the answers of the decision tree leave."""
+    if not controllable:
+        return 10, 10
+    if not adequate:
+        return 7, 9
+    return (1, 3) if satisfactory else (4, 6)
+
+
+class Desk:
+    """
+    Where a session stands. `do` takes the requests of the page, `flown` the verdicts.
+
+    Stages: door (which volunteer?), ready, flying, rate, rest, done.
+    """
+
+    def __init__(self, session: Session, folder: Path) -> None:
+        self.session = session
+        self._folder = folder
+        self._stage = 'door'
+        self._volunteer = 0
+        self._plan: list[Flight] = []
+        self._at = 0
+        self._attempt = ''
+        self._reason = ''
+        self._rest_until = 0.0
+        folder.mkdir(parents=True, exist_ok=True)
+        (folder / 'session.json').write_text(json.dumps(
+            {**session.__dict__, 'tlx': TLX}, indent=2) + '\n', encoding='utf-8')
+
+    @property
+    def pseudonym(self) -> str:
+        """What the volunteer is called in every file."""
+        return f'P{self._volunteer:02d}'
+
+    def view(self) -> dict[str, Any]:
+        """Return what the page shows."""
+        made: dict[str, Any] = {'type': 'desk', 'stage': self._stage, 'title': self.session.title}
+        if self._stage != 'door':
+            made.update({'who': self.pseudonym, 'of': len(self._plan),
+                         'number': min(self._at + 1, len(self._plan))})
+        if self._stage in ('ready', 'flying', 'rate'):
+            flight = self._plan[self._at]
+            made.update({'condition': flight.condition, 'mode': flight.mode,
+                         'training': flight.training, 'reason': self._reason})
+        if self._stage == 'rest':
+            made['rest_s'] = max(0.0, self._rest_until - time.monotonic())
+        return made
+
+    def do(self, content: dict[str, Any]) -> dict[str, Any] | None:
+        """
+        Do what the page asks; return the order for a flight when one is to start.
+
+        Raises
+        ------
+        ValueError
+            With a short code when it does not fit the stage or a rating is incomplete.
+        """
+        act = content.get('act')
+        if act == 'begin' and self._stage in ('door', 'done'):
+            self._begin(content.get('volunteer'))
+        elif act == 'fly' and self._stage == 'ready':
+            return self._order()
+        elif act == 'rate' and self._stage == 'rate':
+            self._rate(content)
+        elif act == 'go_on' and self._stage == 'rest':
+            self._stage = 'ready'
+        elif act == 'leave' and self._stage != 'flying':
+            self._stage = 'door'
+        else:
+            raise ValueError('STAGE')
+        return None
+
+    def _begin(self, volunteer: Any) -> None:
+        if (isinstance(volunteer, bool) or not isinstance(volunteer, int)
+                or not 1 <= volunteer <= MAX_VOLUNTEERS):
+            raise ValueError('VOLUNTEER')
+        self._volunteer, self._plan = volunteer, plan(self.session, volunteer)
+        rated = {file.parent.name.split('.')[0]
+                 for file in (self._folder / self.pseudonym).glob(f'*/{RATINGS}')}
+        self._at = next((i for i, f in enumerate(self._plan) if f.folder not in rated),
+                        len(self._plan))
+        self._stage = 'ready' if self._at < len(self._plan) else 'done'
+
+    def _order(self) -> dict[str, Any]:
+        flight = self._plan[self._at]
+        out, again = f'{self.pseudonym}/{flight.folder}', 1
+        while (self._folder / out).exists():    # a flight that was broken off
+            again += 1
+            out = f'{self.pseudonym}/{flight.folder}.{again}'
+        self._attempt, self._stage, self._reason = out, 'flying', ''
+        return {'mode': flight.mode, 'seed': flight.seed, 'out': out}
+
+    def flown(self, verdict: dict[str, Any]) -> None:
+        """Be told that the flight under way has its verdict."""
+        if self._stage == 'flying':
+            self._stage, self._reason = 'rate', verdict['reason']
+
+    def ended(self, run: str | None) -> None:
+        """Be told that a run is over; one that left no verdict is flown again."""
+        if self._stage == 'flying' and run == self._attempt:
+            self._stage = 'ready'
+
+    def _rate(self, content: dict[str, Any]) -> None:
+        harper, tlx = content.get('cooper_harper'), content.get('tlx')
+        if not isinstance(harper, dict) or not isinstance(tlx, dict):
+            raise ValueError('RATING')
+        answers = [harper.get(key) for key in ('controllable', 'adequate', 'satisfactory')]
+        rating = harper.get('rating')
+        if not all(isinstance(answer, bool) for answer in answers):
+            raise ValueError('RATING')
+        low, high = cooper_harper_range(*answers)
+        if isinstance(rating, bool) or not isinstance(rating, int) or not low <= rating <= high:
+            raise ValueError('RATING')
+        values = [tlx.get(scale) for scale in TLX]
+        if not all(isinstance(v, int) and not isinstance(v, bool) and 0 <= v <= 100 and v % 5 == 0
+                   for v in values):
+            raise ValueError('TLX')
+        self._write(dict(zip(('controllable', 'adequate', 'satisfactory'), answers)) | {
+            'rating': rating}, dict(zip(TLX, values)))
+        self._go_on()
+
+    def _write(self, harper: dict, tlx: dict) -> None:
+        flight = self._plan[self._at]
+        made = {'volunteer': self.pseudonym, 'session': self.session.title,
+                'number': flight.number, 'condition': flight.condition, 'mode': flight.mode,
+                'training': flight.training, 'seed': flight.seed, 'reason': self._reason,
+                'cooper_harper': harper, 'tlx': {**tlx, 'mean': sum(tlx.values()) / len(tlx)}}
+        file = self._folder / self._attempt / RATINGS
+        draft = file.with_suffix('.tmp')
+        draft.write_text(json.dumps(made, indent=2) + '\n', encoding='utf-8')
+        draft.replace(file)
+
+    def _go_on(self) -> None:
+        self._at += 1
+        if self._at >= len(self._plan):
+            self._stage = 'done'
+        elif self.session.break_after and self._at % self.session.break_after == 0:
+            self._stage = 'rest'
+            self._rest_until = time.monotonic() + self.session.break_s
+        else:
+            self._stage = 'ready'

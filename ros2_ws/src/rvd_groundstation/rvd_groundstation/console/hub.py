@@ -1,0 +1,366 @@
+"""
+The middle of the console: pages on one side, one run after the other on the other side.
+
+Lives on the event loop's thread alone; the ROS side hands in what it decoded through `post`,
+which any thread may call. The lease says who flies. Whoever holds the token may abort.
+"""
+
+import asyncio
+import json
+import time
+from collections import deque
+from dataclasses import dataclass, field
+from typing import Any, Callable, Protocol
+
+from rvd_dynamics.mission import Mission
+from rvd_groundstation.console.access import Throttle
+from rvd_groundstation.console.clients import Outbox
+from rvd_groundstation.console.feed import Feed
+from rvd_groundstation.console.lease import Lease
+from rvd_groundstation.console.protocol import (
+    encode, flight_wish, NEEDS_LEASE, PAGE_BURST, PAGE_RATE, Refused, Request, request_of, Stick,
+    stick_of)
+
+FRAME_S = 1.0 / 30              # [s] wall time: a page gets no more frames than this
+WATCH_S = 0.1                   # [s] likewise, pages that only watch
+HOUSEKEEPING_S = 0.25           # [s] wall time
+MAX_CLIENTS = 51                # 50 watchers and a pilot
+STICK_S = 0.5                   # [s] wall time after which a held stick is no pilot
+
+
+class Bridge(Protocol):
+    """The running graph, as the hub sees it; every method may be called from the event loop."""
+
+    def joy(self, stick: Stick) -> list[int]:
+        """Publish a stick sample; return its levels."""
+
+    def control(self, action: str, mode: str, reply: Callable[[bool, str], None]) -> None:
+        """Call /run/control; `reply` gets the answer in the event loop."""
+
+    def event(self, code: str, text: str) -> None:
+        """Put an event on /run/events."""
+
+
+@dataclass(eq=False)
+class Client:
+    """One page."""
+
+    number: int
+    outbox: Outbox = field(default_factory=Outbox)
+    wake: asyncio.Event = field(default_factory=asyncio.Event)
+    throttle: Throttle = field(default_factory=lambda: Throttle(PAGE_RATE, PAGE_BURST))
+    closing: str = ''
+
+
+class Hub:
+    """
+    Pages, lease, the current run, and what they say to each other.
+
+    `ask` hands a wish (a new run, stop, quit) to whoever starts runs; None: nobody does.
+    """
+
+    def __init__(self, ask: Callable[[dict], None] | None = None, desk: Any = None) -> None:
+        self.lease = Lease()
+        self.clients: set[Client] = set()
+        self.desk = desk
+        self.feed: Feed | None = None
+        self.run_name: str | None = None        # folder name of the run under way
+        self.phase = 'idle'                     # idle, starting, flying, ended
+        self.note = ''
+        self.verdict: dict | None = None
+        self.pilot_lost = False
+        self.sticks = 0
+        self._ask = ask
+        self._bridge: Bridge | None = None
+        self._inbox: deque[tuple[str, tuple]] = deque()
+        self._loop: asyncio.AbstractEventLoop | None = None
+        self._fresh = asyncio.Event()
+        self._numbers = 0
+        self._frame = 0
+        self._shown = {'pilot': 0, 'watch': 0}  # ladder versions
+        self._watched_at = 0.0
+        self._watchers_due: asyncio.TimerHandle | None = None
+        self._stick: tuple[float, Stick] | None = None
+
+    # -- pages ----------------------------------------------------------------------------
+
+    def join(self) -> Client | None:
+        """Return a new client with all it needs to begin, or None when the house is full."""
+        if len(self.clients) >= MAX_CLIENTS:
+            return None
+        self._numbers += 1
+        client = Client(self._numbers)
+        self.clients.add(client)
+        self._tell(client, {'type': 'hello', 'you': client.number,
+                            'can': {'fly': self._ask is not None, 'desk': self.desk is not None}})
+        if self.feed is not None:
+            self._tell(client, {**self.feed.run_message(self.run_name or ''),
+                                'trail': self.feed.trail,
+                                'ladder': self.feed.ladder.changes()})
+        if self.verdict is not None:
+            self._tell(client, self.verdict)
+        if self.desk is not None:
+            self._tell(client, self.desk.view())
+        self._status()
+        return client
+
+    def leave(self, client: Client) -> None:
+        """Forget a page; if it was the pilot's, the pilot is lost."""
+        self.clients.discard(client)
+        if self.lease.drop(client):
+            self._lost('the page of the pilot is gone')
+        self._status()
+
+    def stick(self, client: Client, data: bytes) -> None:
+        """Take a stick sample of the pilot; those of others are ignored."""
+        now = time.monotonic()
+        if not self._allowed(client, now) or not self.lease.heard(client, now):
+            return
+        try:
+            sample = stick_of(data)
+        except Refused as refusal:
+            self._tell(client, {'type': 'refused', 'code': str(refusal)})
+            return
+        self.sticks += 1
+        self._stick = (now, sample)
+        if self._bridge is not None:
+            levels = self._bridge.joy(sample)
+            if self.feed is not None:
+                self.feed.pilot(levels, sample.held)
+            if self.pilot_lost and sample.held:
+                self.pilot_lost = False
+                self._bridge.event('PILOT', 'a pilot has the stick again')
+                self._status()
+
+    def request(self, client: Client, text: str) -> None:
+        """Do what a page asks, or say why not."""
+        if not self._allowed(client, time.monotonic()):
+            return
+        try:
+            wish = request_of(text)
+            self._do(client, wish)
+        except Refused as refusal:
+            self._tell(client, {'type': 'reply', 'id': _id_in(text), 'ok': False,
+                                'code': str(refusal)})
+
+    def _allowed(self, client: Client, now: float) -> bool:
+        if client.throttle.allow(now):
+            return True
+        client.closing = 'FLOOD'
+        client.wake.set()
+        return False
+
+    def _do(self, client: Client, wish: Request) -> None:
+        if wish.do in NEEDS_LEASE and self.lease.holder is not client:
+            raise Refused('LEASE')
+        if wish.do == 'take':
+            if not self.lease.take(client, time.monotonic()):
+                raise Refused('TAKEN')
+        elif wish.do == 'drop':
+            if self.lease.drop(client):
+                self._release()
+        elif wish.do in ('pause', 'resume', 'abort', 'mode'):
+            self._control(client, wish)
+            return
+        elif wish.do in ('fly', 'stop', 'quit'):
+            self._ask_for(wish)
+        elif wish.do == 'desk':
+            self._at_desk(wish)
+        elif wish.content.get('resync') and self.feed is not None:
+            self._tell(client, {'type': 'ladder', 'ladder': self.feed.ladder.changes()})
+        self._reply(client, wish.id, True, '')
+        self._status()
+
+    def _control(self, client: Client, wish: Request) -> None:
+        if self._bridge is None or self.phase != 'flying':
+            raise Refused('NO_RUN')
+        mode = wish.content.get('mode', '')
+
+        def reply(accepted: bool, text: str) -> None:
+            if accepted and self.feed is not None:
+                if wish.do == 'mode':
+                    self.feed.mode = mode
+                elif wish.do in ('pause', 'resume'):
+                    self.feed.paused = wish.do == 'pause'
+                self._fresh.set()
+            self._reply(client, wish.id, accepted, text)
+        self._bridge.control(wish.do, mode, reply)
+
+    def _ask_for(self, wish: Request) -> None:
+        if self._ask is None:
+            raise Refused('NO_FLY')
+        if self.desk is not None and wish.do == 'fly':
+            raise Refused('DESK')               # the session says what is flown
+        self._ask({'do': wish.do, **(flight_wish(wish.content) if wish.do == 'fly' else {})})
+        if wish.do == 'fly':
+            self.phase = 'starting'
+
+    def _at_desk(self, wish: Request) -> None:
+        if self.desk is None:
+            raise Refused('NO_DESK')
+        try:
+            order = self.desk.do(wish.content)
+        except ValueError as error:
+            raise Refused(str(error)) from None
+        if order is not None:
+            self.phase = 'starting'
+            self._ask({'do': 'fly', **order})
+        self._everybody(self.desk.view())
+
+    def _reply(self, client: Client, number: int, ok: bool, text: str) -> None:
+        self._tell(client, {'type': 'reply', 'id': number, 'ok': ok, 'text': text})
+
+    # -- the pilot ------------------------------------------------------------------------
+
+    def _release(self) -> None:
+        """Let go of the stick at once, without waiting for it to grow old."""
+        self._stick = None
+        if self._bridge is not None:
+            self._bridge.joy(Stick(False, 0, (0.0, 0.0, 0.0)))
+        if self.feed is not None:
+            self.feed.pilot([0, 0, 0], False)
+
+    def _lost(self, why: str) -> None:
+        self._release()
+        if self.phase == 'flying':
+            self.pilot_lost = True
+            if self._bridge is not None:
+                self._bridge.event('PILOT_LOST', why)
+
+    # -- runs -----------------------------------------------------------------------------
+
+    def begin(self, name: str, mission: Mission, bridge: Bridge) -> None:
+        """Let a new run begin; pages stay."""
+        self.feed, self.run_name, self._bridge = Feed(mission), name, bridge
+        self.phase, self.note, self.verdict, self.pilot_lost = 'flying', '', None, False
+        self._shown = {'pilot': 0, 'watch': 0}
+        self._inbox.clear()
+        self._everybody(self.feed.run_message(name))
+        self._status()
+
+    def end(self) -> None:
+        """Let the run be over."""
+        self._drain()
+        self._bridge = None
+        if self.phase == 'flying':
+            self.phase = 'ended'
+        self._to_pilot()
+        self._to_watchers()
+        self._status()
+
+    def told(self, phase: str, note: str = '', run: str | None = None) -> None:
+        """Be told by whoever starts runs how that goes with `run` (its folder)."""
+        if phase == 'starting':
+            self.run_name = run
+        self.phase, self.note = phase, note
+        if self.desk is not None and phase == 'ended':
+            self.desk.ended(run)
+            self._everybody(self.desk.view())
+        self._status()
+
+    def post(self, method: str, *args: Any) -> None:
+        """Hand in decoded content; from any thread."""
+        self._inbox.append((method, args))
+        if method in ('command', 'event', 'final', 'paused') and self._loop is not None:
+            self._loop.call_soon_threadsafe(self._fresh.set)
+
+    def _drain(self) -> None:
+        while self._inbox:
+            method, args = self._inbox.popleft()
+            if method == 'event':
+                self._everybody({'type': 'event', **args[0]})
+            elif method == 'final':
+                self.verdict = {'type': 'verdict', **args[0]}
+                self._everybody(self.verdict)
+                if self.desk is not None:
+                    self.desk.flown(args[0])
+                    self._everybody(self.desk.view())
+            elif self.feed is not None:
+                if method == 'paused':
+                    self.feed.paused = args[0]
+                else:
+                    getattr(self.feed, method)(*args)
+
+    # -- what goes out --------------------------------------------------------------------
+
+    async def pump(self) -> None:
+        """Send frames as the run steps, for ever."""
+        self._loop = asyncio.get_running_loop()
+        while True:
+            await self._fresh.wait()
+            self._fresh.clear()
+            self._drain()
+            self._to_pilot()
+            self._to_watchers()
+            await asyncio.sleep(FRAME_S)
+
+    def _to_pilot(self) -> None:
+        if self.feed is not None and self.lease.holder in self.clients:
+            self._put(self.lease.holder, self._frame_text('pilot'), True)
+
+    def _to_watchers(self, waited: bool = False) -> None:
+        """Send a frame to those who watch, now or as soon as they may have the next one."""
+        if waited:
+            self._watchers_due = None
+        if self.feed is None or self._watchers_due is not None:
+            return
+        left = self._watched_at + WATCH_S - time.monotonic()
+        if left > 0.0 and self._loop is not None:
+            self._watchers_due = self._loop.call_later(left, self._to_watchers, True)
+            return
+        self._watched_at = time.monotonic()
+        text = self._frame_text('watch')
+        for client in list(self.clients):
+            if client is not self.lease.holder:
+                self._put(client, text, True)
+
+    def _frame_text(self, audience: str) -> str:
+        message = self.feed.frame(self._shown[audience])
+        self._shown[audience] = self.feed.ladder.version
+        self._frame += 1
+        message['n'] = self._frame
+        return encode(message)
+
+    async def housekeeping(self) -> None:
+        """Notice a silent pilot, for ever."""
+        while True:
+            await asyncio.sleep(HOUSEKEEPING_S)
+            now = time.monotonic()
+            if self.lease.expire(now):
+                self._lost('the page of the pilot is silent')
+                self._status()
+            if self._stick is not None and now - self._stick[0] > STICK_S:
+                self._stick = None
+                if self.feed is not None:
+                    self.feed.pilot([0, 0, 0], False)
+                    self._fresh.set()
+
+    def _status(self) -> None:
+        for client in list(self.clients):
+            holder = self.lease.holder
+            who = 'free' if holder is None else 'you' if holder is client else 'other'
+            self._tell(client, {
+                'type': 'status', 'phase': self.phase, 'note': self.note, 'lease': who,
+                'pages': len(self.clients), 'run': self.run_name, 'pilot_lost': self.pilot_lost})
+
+    def _everybody(self, message: dict) -> None:
+        text = encode(message)
+        for client in list(self.clients):
+            self._put(client, text, False)
+
+    def _tell(self, client: Client, message: dict) -> None:
+        self._put(client, encode(message), False)
+
+    def _put(self, client: Client, text: str, droppable: bool) -> None:
+        if not client.outbox.put(text, droppable):
+            client.closing = 'SLOW'
+        client.wake.set()
+
+
+def _id_in(text: str) -> int:
+    """Return the id of a request that was refused before it was understood, else 0."""
+    try:
+        number = json.loads(text).get('id', 0)
+    except (ValueError, AttributeError, RecursionError):
+        return 0
+    return number if isinstance(number, int) else 0

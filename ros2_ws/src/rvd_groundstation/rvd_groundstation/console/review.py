@@ -1,0 +1,60 @@
+"""
+Finished runs for the page's review: their list, and the reader that is run for one of them.
+
+A run's bag holds the truth, which the ground must not know: it is read by a process of its own,
+`python -m rvd_campaign.replay`, whose output goes to the page as it is.
+"""
+
+import asyncio
+import json
+import sys
+from pathlib import Path
+from typing import Any
+
+READER = (sys.executable, '-m', 'rvd_campaign.replay')
+MOST_RUNS = 200                 # rows of the list, newest first
+DEEPEST = 3                     # folders below the runs folder that are looked through
+SHOWN = ('reason', 'success', 'mode', 'seed', 'operator', 'scenario')
+
+
+def listing(runs: Path | None) -> list[dict[str, Any]]:
+    """Return a row per finished run below `runs`: name, reason, success, mode, seed."""
+    files = []
+    if runs is None:
+        return files
+    for depth in range(1, DEEPEST + 1):
+        for file in runs.glob('/'.join(['*'] * depth + ['verdict.json'])):
+            files.append((file.stat().st_mtime, file))
+    made = []
+    for _, file in sorted(files, reverse=True)[:MOST_RUNS]:
+        try:
+            content = json.loads(file.read_text(encoding='utf-8'))
+        except (OSError, ValueError):
+            continue
+        made.append({'name': str(file.parent.relative_to(runs)),
+                     **{key: content.get(key) for key in SHOWN}})
+    return made
+
+
+async def load(runs: Path | None, name: str) -> bytes:
+    """
+    Return a finished run as JSON: run message, frames with truth, events, verdict.
+
+    Raises
+    ------
+    FileNotFoundError
+        If there is no such finished run below `runs`.
+    ValueError
+        If its bag holds nothing that can be shown.
+    """
+    if runs is None or name.startswith('-'):
+        raise FileNotFoundError(name)
+    reader = await asyncio.create_subprocess_exec(
+        *READER, str(runs), name, stdin=asyncio.subprocess.DEVNULL,
+        stdout=asyncio.subprocess.PIPE, stderr=asyncio.subprocess.PIPE)
+    body, complaint = await reader.communicate()
+    if reader.returncode == 1:
+        raise FileNotFoundError(name)
+    if reader.returncode != 0:
+        raise ValueError(complaint.decode(errors='replace').strip().rsplit('\n', 1)[-1])
+    return body

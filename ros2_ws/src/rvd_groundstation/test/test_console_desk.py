@@ -1,0 +1,112 @@
+"""The experiment desk: balanced orders, a volunteer's way through it, ratings beside the bag."""
+
+from collections import Counter
+import json
+
+import pytest
+
+from rvd_groundstation.console.desk import (
+    cooper_harper_range, Desk, latin_square, plan, read_session, Session, TLX)
+
+SESSION = Session('t', 5, {'manual': 'manual', 'shared': 'shared'}, 1, 2, 2, 0.0)
+GOOD = {'cooper_harper': {'controllable': True, 'adequate': True, 'satisfactory': False,
+                          'rating': 4}, 'tlx': dict.fromkeys(TLX, 35)}
+
+
+@pytest.mark.parametrize('n', [1, 2, 3, 4, 5, 6, 7, 8])
+def test_a_latin_square_is_balanced(n):
+    rows = latin_square(n)
+    for place in range(n):                      # each item equally often in each place
+        assert set(Counter(row[place] for row in rows).values()) == {len(rows) // n}
+    after = Counter((a, b) for row in rows for a, b in zip(row, row[1:]))
+    assert len(after) == n * (n - 1) and len(set(after.values())) <= 1
+
+
+def test_volunteers_are_dealt_different_orders_and_paired_seeds():
+    first, second = plan(SESSION, 1), plan(SESSION, 2)
+    assert [f.condition for f in first] == [f.condition for f in second][::-1]
+    seeds = {name: [f.seed for f in first if f.condition == name and not f.training]
+             for name in SESSION.conditions}
+    assert seeds['manual'] == seeds['shared'] and len(set(seeds['manual'])) == 2
+    assert not {f.seed for f in first} & {f.seed for f in second}
+    assert plan(SESSION, 1) == first            # the same again
+
+
+def flown(desk, folder, reason='docked'):
+    order = desk.do({'act': 'fly'})
+    (folder / order['out']).mkdir(parents=True)
+    desk.flown({'reason': reason})
+    return folder / order['out']
+
+
+def test_a_volunteer_is_led_through_all_flights(tmp_path):
+    desk = Desk(SESSION, tmp_path)
+    assert desk.view()['stage'] == 'door'
+    desk.do({'act': 'begin', 'volunteer': 3})
+    stages = []
+    for _ in range(6):
+        run = flown(desk, tmp_path)
+        desk.do({'act': 'rate', **GOOD})
+        made = json.loads((run / 'ratings.json').read_text())
+        assert made['volunteer'] == 'P03' and made['tlx']['mean'] == 35
+        stages.append(desk.view()['stage'])
+        if stages[-1] == 'rest':
+            desk.do({'act': 'go_on'})
+    assert stages == ['ready', 'rest', 'ready', 'rest', 'ready', 'done']
+
+
+def test_a_session_goes_on_where_it_was_broken_off(tmp_path):
+    desk = Desk(SESSION, tmp_path)
+    desk.do({'act': 'begin', 'volunteer': 1})
+    flown(desk, tmp_path)
+    desk.do({'act': 'rate', **GOOD})
+    flown(desk, tmp_path)                       # and then the power fails: not rated
+    again = Desk(SESSION, tmp_path)
+    again.do({'act': 'begin', 'volunteer': 1})
+    assert again.view()['number'] == 2
+    order = again.do({'act': 'fly'})
+    assert order['out'].endswith('.2')          # nothing is written over
+    again.ended('P01/01-manual')                # word of the flight before comes late
+    assert again.view()['stage'] == 'flying'
+    again.ended(order['out'])
+    assert again.view()['stage'] == 'ready'
+
+
+@pytest.mark.parametrize('change', [
+    {'cooper_harper': None}, {'tlx': {}}, {'tlx': dict.fromkeys(TLX, 33)},
+    {'cooper_harper': {**GOOD['cooper_harper'], 'rating': 2}},
+    {'cooper_harper': {**GOOD['cooper_harper'], 'rating': True}},
+    {'cooper_harper': {**GOOD['cooper_harper'], 'controllable': 'yes'}}])
+def test_an_incomplete_rating_is_refused(tmp_path, change):
+    desk = Desk(SESSION, tmp_path)
+    desk.do({'act': 'begin', 'volunteer': 1})
+    run = flown(desk, tmp_path)
+    with pytest.raises(ValueError):
+        desk.do({'act': 'rate', **GOOD, **change})
+    assert not (run / 'ratings.json').exists() and desk.view()['stage'] == 'rate'
+
+
+def test_the_decision_tree_leaves_each_rating_in_one_branch():
+    branches = [(False, False, False), (True, False, False), (True, True, False),
+                (True, True, True)]
+    ranges = [cooper_harper_range(*answers) for answers in branches]
+    assert sorted(r for low, high in ranges for r in range(low, high + 1)) == list(range(1, 11))
+
+
+@pytest.mark.parametrize('act', ['fly', 'rate', 'go_on', 'what', None])
+def test_what_does_not_fit_the_stage_is_refused(tmp_path, act):
+    with pytest.raises(ValueError, match='STAGE'):
+        Desk(SESSION, tmp_path).do({'act': act})
+
+
+@pytest.mark.parametrize('text, names', [
+    ('- 1', 'hold'), ('flights: 3', 'conditions'),
+    ('{conditions: {a: {mode: auto}}, fly: 1}', 'fly'),
+    ('{conditions: {a: {mode: no}}}', 'mode'), ('{conditions: {"../x": {mode: auto}}}', 'plain'),
+    ('{conditions: {a: {mode: auto}}, flights: -1}', 'flights'), ('{', 'cannot read')])
+def test_a_session_file_that_is_none_is_refused_in_one_line(tmp_path, text, names):
+    file = tmp_path / 's.yaml'
+    file.write_text(text)
+    with pytest.raises(ValueError, match=names) as refused:
+        read_session(file)
+    assert '\n' not in str(refused.value)

@@ -1,0 +1,241 @@
+"""The server with pages but without ROS: sockets, lease, lost pages, slow watchers, limits."""
+
+import asyncio
+import json
+import struct
+
+import aiohttp
+import pytest
+
+from rvd_dynamics.mission import Mission
+from rvd_groundstation.console.access import CONTENT_POLICY
+from rvd_groundstation.console.hub import Hub
+from rvd_groundstation.console.server import Address, Server
+
+
+class Graph:
+    """Stands for the running graph: keeps what the hub asks of it."""
+
+    def __init__(self):
+        self.sticks, self.asked, self.events = [], [], []
+
+    def joy(self, stick):
+        self.sticks.append(stick)
+        return [round(3 * a) for a in stick.deflection]
+
+    def control(self, action, mode, reply):
+        self.asked.append((action, mode))
+        reply(True, action)
+
+    def event(self, code, text):
+        self.events.append(code)
+
+
+class House:
+    """A server with a run under way."""
+
+    def __init__(self, runs=None, **hub):
+        self.hub, self.graph, self.runs = Hub(**hub), Graph(), runs
+
+    async def __aenter__(self):
+        self.server = Server(self.hub, Address(port=0), self.runs)
+        await self.server.start()
+        self.base = f'http://127.0.0.1:{self.server.access.port}'
+        self.session = aiohttp.ClientSession()
+        self.hub.begin('run', Mission(), self.graph)
+        return self
+
+    async def __aexit__(self, *_):
+        await self.session.close()
+        await self.server.stop()
+
+    def socket(self, token=None, **headers):
+        token = self.server.access.token if token is None else token
+        return self.session.ws_connect(
+            self.base + '/ws', protocols=('rvd.console.1', 'token.' + token), autoping=True,
+            headers={'Origin': self.base, **headers})
+
+
+def stick(held=1, x=0.0, sequence=0):
+    return struct.pack('<BBHfffd', 1, held, sequence, x, 0.0, 0.0, 0.0)
+
+
+async def ask(socket, **wish):
+    """Send a request and return its reply."""
+    await socket.send_str(json.dumps({'id': 5, **wish}))
+    while True:
+        message = json.loads((await socket.receive(5.0)).data)
+        if message['type'] == 'reply':
+            return message
+
+
+def run(coroutine):
+    return asyncio.run(asyncio.wait_for(coroutine, 30.0))
+
+
+def test_w3_wrong_token_origin_and_host_open_no_socket():
+    async def work():
+        async with House() as house:
+            for headers, token in (({}, 'wrong'), ({'Origin': 'http://evil.example'}, None),
+                                   ({'Host': 'evil.example'}, None), ({'Origin': ''}, None)):
+                with pytest.raises(aiohttp.WSServerHandshakeError) as refused:
+                    await house.socket(token, **headers)
+                assert refused.value.status == 403
+            assert not house.hub.clients
+    run(work())
+
+
+def test_answers_carry_the_policy_and_files_outside_are_not_served():
+    async def work():
+        async with House() as house:
+            async with house.session.get(house.base + '/') as answer:
+                assert answer.headers['Content-Security-Policy'] == CONTENT_POLICY
+                assert answer.headers['X-Content-Type-Options'] == 'nosniff'
+            for path in ('/assets/../../hub.py', '/assets/%2e%2e/%2e%2e/hub.py', '/hub.py'):
+                async with house.session.get(house.base + path) as answer:
+                    assert answer.status in (403, 404)
+    run(work())
+
+
+def test_only_the_lease_flies_and_abort_needs_none():
+    async def work():
+        async with House() as house, house.socket() as pilot, house.socket() as other:
+            await other.send_bytes(stick(x=1.0))
+            assert (await ask(other, do='mode', mode='auto'))['code'] == 'LEASE'
+            assert (await ask(pilot, do='take'))['ok']
+            assert (await ask(other, do='take'))['code'] == 'TAKEN'
+            await pilot.send_bytes(stick(x=1.0, sequence=9))
+            assert (await ask(pilot, do='mode', mode='auto'))['ok']
+            assert (await ask(other, do='abort'))['ok']
+            assert [s.sequence for s in house.graph.sticks] == [9]
+            assert house.graph.asked == [('mode', 'auto'), ('abort', '')]
+    run(work())
+
+
+def test_o4_a_lost_page_lets_go_of_the_stick_at_once():
+    async def work():
+        async with House() as house:
+            pilot = await house.socket()
+            await ask(pilot, do='take')
+            await pilot.send_bytes(stick(x=1.0))
+            await ask(pilot, do='ping')
+            await pilot.close()
+            await asyncio.sleep(0.1)
+            assert not house.graph.sticks[-1].held and house.hub.pilot_lost
+            assert house.graph.events == ['PILOT_LOST'] and house.hub.lease.holder is None
+    run(work())
+
+
+def test_w1_too_large_and_too_many_frames_close_the_page_and_no_other():
+    async def work():
+        async with House() as house, house.socket() as quiet:
+            big = await house.socket()
+            await big.send_str('x' * 70_000)
+            flood = await house.socket()
+            for _ in range(2000):
+                await flood.send_bytes(stick())
+            for socket in (big, flood):
+                while not (await socket.receive(5.0)).type.name.startswith('CLOS'):
+                    pass
+            assert (await ask(quiet, do='take'))['ok']
+    run(work())
+
+
+def test_there_is_room_for_fifty_watchers_and_a_pilot():
+    async def work():
+        async with House() as house:
+            sockets = [await house.socket() for _ in range(51)]
+            with pytest.raises(aiohttp.WSServerHandshakeError) as refused:
+                await house.socket()
+            assert refused.value.status == 503
+            for socket in sockets:
+                await socket.close()
+    run(work())
+
+
+def test_w2_a_watcher_that_reads_nothing_does_not_hold_up_the_pilot():
+    async def work():
+        async with House() as house, house.socket() as pilot:
+            await ask(pilot, do='take')
+            reader, writer = await asyncio.open_connection('127.0.0.1',
+                                                           house.server.access.port, limit=1)
+            writer.write((
+                'GET /ws HTTP/1.1\r\nHost: {0}\r\nOrigin: http://{0}\r\nUpgrade: websocket\r\n'
+                'Connection: Upgrade\r\nSec-WebSocket-Version: 13\r\n'
+                'Sec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n'
+                'Sec-WebSocket-Protocol: rvd.console.1, token.{1}\r\n\r\n').format(
+                    house.base[7:], house.server.access.token).encode())
+            await writer.drain()
+            await asyncio.sleep(0.1)
+            watcher = next(c for c in house.hub.clients if c is not house.hub.lease.holder)
+            for k in range(600):                # 600 messages of 20 kB that it does not read
+                house.hub._put(watcher, 'x' * 20000, False)
+                if k % 20 == 0:
+                    assert (await ask(pilot, do='resume'))['ok']
+            while len(house.hub.clients) > 1:   # and in the end it is cut off
+                assert (await ask(pilot, do='resume'))['ok']
+                await asyncio.sleep(0.05)
+            writer.close()
+    run(work())
+
+
+def test_a_run_under_way_is_not_given_out_for_review(tmp_path):
+    (tmp_path / 'run').mkdir()
+    (tmp_path / 'run' / 'verdict.json').write_text('{}')
+    (tmp_path.parent / 'secret').mkdir(exist_ok=True)
+    (tmp_path.parent / 'secret' / 'verdict.json').write_text('{}')
+
+    async def work():
+        async with House(tmp_path) as house:
+            bearer = {'Authorization': f'Bearer {house.server.access.token}'}
+
+            async def status(path, headers=bearer):
+                async with house.session.get(house.base + path, headers=headers) as answer:
+                    return answer.status
+            assert await status('/api/runs', {}) == 403
+            assert await status('/api/runs/run') == 409
+            house.hub.end()
+            assert await status('/api/runs/run') == 422         # it has no bag
+            assert await status('/api/runs/%2e%2e%2fsecret') == 404
+    run(work())
+
+
+def test_without_anyone_to_start_runs_a_wish_for_one_is_refused():
+    async def work():
+        async with House() as house, house.socket() as pilot:
+            await ask(pilot, do='take')
+            assert (await ask(pilot, do='fly'))['code'] == 'NO_FLY'
+    run(work())
+
+
+def test_a_wish_for_a_run_reaches_who_starts_them():
+    wishes = []
+
+    async def work():
+        async with House(ask=wishes.append) as house, house.socket() as pilot:
+            await ask(pilot, do='take')
+            assert (await ask(pilot, do='fly', mode='manual', seed=8, out='/x'))['ok']
+    run(work())
+    assert wishes == [{'do': 'fly', 'mode': 'manual', 'seed': 8}]
+
+
+def test_pilot_and_watchers_get_frames_and_a_late_page_gets_the_run_first():
+    async def frames(socket, wanted):
+        types = []
+        while types.count('frame') < wanted:
+            types.append(json.loads((await socket.receive(5.0)).data)['type'])
+        return types
+
+    async def work():
+        async with House() as house, house.socket() as pilot, house.socket() as other:
+            await ask(pilot, do='take')
+            for k in range(30):
+                house.hub.post('command', k, k + 1, 0, [1, 0, 0], 3, 0.7, 0)
+                await asyncio.sleep(0.02)
+            assert 'run' in await frames(other, 3)
+            await frames(pilot, 8)
+            async with house.socket() as late:
+                house.hub.post('command', 30, 31, 0, [1, 0, 0], 3, 0.7, 0)
+                types = await frames(late, 1)
+                assert types.index('run') < types.index('frame')
+    run(work())

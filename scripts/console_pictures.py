@@ -1,0 +1,78 @@
+#!/usr/bin/env python3
+"""
+Make the pictures of the console in docs/images: a flight by keys, and its review.
+
+    ./rvd shell scripts/console_pictures.py
+
+Needs playwright and Chromium, like the browser tests, whose scripted pilot flies here.
+"""
+
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT / 'tests'))
+
+from console_page import (                      # noqa: E402
+    chromium, Console, FLAGS, KEYS, open_page, playwright, take_and_start, until, wanted_key)
+
+SIZE = {'width': 1280, 'height': 720}
+SHARP = ('(() => { Object.assign(rvd.scene, {adaptive: false, quality: 1}); '
+         'rvd.scene.resize(); })()')
+
+
+def fly_until(page, seconds: float) -> None:
+    """Fly by keys until an instant of the run."""
+    down = dict.fromkeys(KEYS)
+    while page.evaluate('rvd.store.frame.t') < seconds:
+        state = page.evaluate('rvd.store.frame.pred?.ok ? rvd.store.frame.pred.x : null')
+        for axis, names in KEYS.items():
+            key = wanted_key(state, axis, names)
+            if key != down[axis]:
+                if down[axis]:
+                    page.keyboard.up(down[axis])
+                if key:
+                    page.keyboard.down(key)
+                down[axis] = key
+        page.wait_for_timeout(40)
+
+
+def main() -> None:
+    """Fly and take the pictures."""
+    images = ROOT / 'docs' / 'images'
+    images.mkdir(exist_ok=True)
+    console = Console(Path(tempfile.mkdtemp()), 'hand', '--pace', '2', '--seed', '12')
+    try:
+        with playwright()() as play:
+            browser = play.chromium.launch(executable_path=chromium(), args=FLAGS)
+            page = open_page(browser, console)
+            page.set_viewport_size(SIZE)
+            take_and_start(page, 'shared')
+            fly_until(page, 62.0)
+            page.evaluate(SHARP)
+            page.wait_for_timeout(1500)
+            page.screenshot(path=images / 'console-flight.png')
+            page.evaluate('(() => { rvd.scene.adaptive = true; })()')
+            fly_until(page, 100.0)
+            until(page, 'Boolean(rvd.store.verdict)', 120.0)
+            until(page, "rvd.store.status.phase === 'ended'", 120.0)
+            page.wait_for_timeout(500)
+            page.screenshot(path=images / 'console-verdict.png')
+            page.keyboard.press('Escape')
+            page.keyboard.press('l')
+            page.wait_for_selector('[data-run]')
+            page.click('[data-run]')
+            until(page, 'rvd.review.on')
+            page.evaluate('rvd.review.go(Math.round(rvd.review.run.frames.length * 0.72))')
+            page.click('[data-view=side]')
+            page.evaluate(SHARP)
+            page.wait_for_timeout(2500)
+            page.screenshot(path=images / 'console-review.png')
+            browser.close()
+    finally:
+        console.close()
+
+
+if __name__ == '__main__':
+    main()

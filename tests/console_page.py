@@ -1,0 +1,147 @@
+"""A console with a browser in front of it, and a pilot made of key events, for the tests."""
+
+import os
+import re
+import shutil
+import subprocess
+import time
+from pathlib import Path
+
+import pytest
+from runs import end, start_rvd, wait_for
+
+INSTALL = 'apt-get install -y chromium'
+FLAGS = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
+         '--ignore-gpu-blocklist', '--disable-quic', '--no-first-run',
+         '--disable-background-networking', '--disable-component-update', '--disable-sync']
+SETTLE_S = 10.0                 # [s] simulated: how fast the scripted pilot wants errors gone
+DEAD_ZONE = 0.01                # [m/s] rate errors below are left alone
+KEYS = {1: ('ArrowDown', 'ArrowUp'), 2: ('ArrowLeft', 'ArrowRight')}     # of y and z: -, +
+
+
+def chromium() -> str:
+    """
+    Return the browser. Without one the test is skipped; in CI that is a failure.
+    """
+    names = ('chromium', 'chromium-browser', 'google-chrome')
+    found = next((path for path in map(shutil.which, names) if path), None)
+    if found is None and os.geteuid() == 0 and shutil.which('apt-get'):
+        subprocess.run('apt-get update -qq; ' + INSTALL + ' -qq', shell=True, timeout=300,
+                       capture_output=True)
+        found = shutil.which('chromium')
+    if found is None:
+        _missing(f'no Chromium: {INSTALL}')
+    return found
+
+
+def playwright():
+    """Return playwright's entry, skipping (in CI: failing) where it is not installed."""
+    try:
+        from playwright.sync_api import sync_playwright
+    except ImportError:
+        _missing('no playwright: pip install playwright')
+    return sync_playwright
+
+
+def _missing(what: str) -> None:
+    if os.environ.get('CI'):
+        pytest.fail(f'browser tests must run in CI: {what}')
+    pytest.skip(f'browser tests need: {what}')
+
+
+class Console:
+    """`rvd fly --operator console` under test."""
+
+    def __init__(self, folder: Path, *args: str) -> None:
+        self.folder = folder
+        self.process = start_rvd('fly', *args, '--operator', 'console', '--port', '0',
+                                 '--headless', cwd=folder)
+        self.url = wait_for(self._url, 'the address of the page')
+
+    def _url(self) -> str | None:
+        found = re.search(r'^open (\S+)$', (self.folder / 'out').read_text(), re.MULTILINE)
+        return found and found.group(1)
+
+    @property
+    def address(self) -> str:
+        """Host and port."""
+        return re.search(r'//([^/]+)/', self.url).group(1)
+
+    @property
+    def token(self) -> str:
+        return self.url.split('#')[1]
+
+    def close(self) -> None:
+        end(self.process)
+
+
+def until(page, condition: str, timeout: float = 60.0) -> None:
+    """Wait for a condition in the page without `eval`, which its policy forbids."""
+    deadline = time.monotonic() + timeout
+    while not page.evaluate(condition):
+        if time.monotonic() > deadline:
+            raise AssertionError(f'{condition} did not come in {timeout:g} s: '
+                                 + str(page.evaluate('JSON.stringify(rvd.store.status)')))
+        page.wait_for_timeout(50)
+
+
+def open_page(browser, console: Console, plain: bool = False, **options):
+    """
+    Return a page that is connected; errors of its scripts are kept in `page.problems`.
+
+    A `plain` one draws no scene: software rendering costs a test machine most of its time.
+    """
+    page = browser.new_page(viewport={'width': 960, 'height': 540}, **options)
+    page.problems = []
+    page.on('pageerror', lambda error: page.problems.append(str(error)))
+    page.on('console', lambda m: page.problems.append(m.text) if m.type == 'error' else None)
+    page.goto(console.url.replace('/#', '/?plain#') if plain else console.url)
+    until(page, 'rvd.store.connected')
+    return page
+
+
+def take_and_start(page, mode: str = 'shared', seed: int | None = None) -> None:
+    """Take the stick by key, start a run by keys and wait until it steps."""
+    page.keyboard.press('Escape')
+    if page.evaluate('rvd.store.status.lease') != 'you':
+        page.keyboard.press('t')
+        until(page, "rvd.store.status.lease === 'you'")
+    page.keyboard.press('n')
+    page.select_option('#new-mode', mode)
+    if seed is not None:
+        page.fill('#new-seed', str(seed))
+    page.click('#new-start')
+    until(page, "rvd.store.status.phase === 'starting'")
+    until(page, "rvd.store.status.phase === 'flying' && Boolean(rvd.store.frame)")
+
+
+def fly_by_keys(page, deadline_s: float = 120.0) -> None:
+    """Fly what the page predicts to the axis with the arrow keys until there is a verdict."""
+    down: dict[int, str | None] = {1: None, 2: None}
+    deadline = time.monotonic() + deadline_s
+    while time.monotonic() < deadline:
+        seen = page.evaluate(
+            '({x: rvd.store.frame.pred?.ok ? rvd.store.frame.pred.x : null, '
+            'over: Boolean(rvd.store.verdict)})')
+        if seen['over']:
+            break
+        for axis, names in KEYS.items():
+            key = wanted_key(seen['x'], axis, names)
+            if key != down[axis]:
+                if down[axis]:
+                    page.keyboard.up(down[axis])
+                if key:
+                    page.keyboard.down(key)
+                down[axis] = key
+        page.wait_for_timeout(30)
+    for key in filter(None, down.values()):
+        page.keyboard.up(key)
+
+
+def wanted_key(state: list[float] | None, axis: int, names: tuple[str, str]) -> str | None:
+    """Return the key that brings the predicted rate of an axis nearer to what is wanted."""
+    if state is None:
+        return None
+    wanted = max(-0.06, min(0.06, -state[axis] / SETTLE_S))
+    error = wanted - state[axis + 3]
+    return None if abs(error) < DEAD_ZONE else names[error > 0.0]

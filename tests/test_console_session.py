@@ -1,0 +1,69 @@
+"""A volunteer's session end to end: the desk in the page, flights, ratings, the report."""
+
+import json
+
+import pytest
+from console_page import chromium, Console, FLAGS, open_page, playwright, until
+from runs import rvd
+
+pytestmark = pytest.mark.slow
+SESSION = """
+title: A short session
+seed: 3
+conditions: {shared: {mode: shared}, automatic: {mode: auto}}
+training: 0
+flights: 1
+break_after: 1
+break_s: 0
+"""
+
+
+def rate(page) -> None:
+    """Answer the tree of Cooper and Harper and set the six scales of NASA-TLX, by keys."""
+    for answer in ('yes', 'yes', 'no'):
+        page.wait_for_selector(f'[data-answer={answer}]')
+        page.click(f'[data-answer={answer}]')
+    page.click('[data-rating="5"]')
+    page.wait_for_selector('[data-tlx]')
+    for scale in page.query_selector_all('[data-tlx]'):
+        scale.focus()
+        page.keyboard.press('ArrowRight')
+    page.click('#desk-go')
+
+
+def test_a_volunteer_is_led_through_a_session_and_the_report_counts_it(tmp_path):
+    (tmp_path / 'session.yaml').write_text(SESSION)
+    with playwright()() as play:
+        browser = play.chromium.launch(executable_path=chromium(), args=FLAGS)
+        console = Console(tmp_path, 'barrier', '--pace', '20', '--session', 'session.yaml',
+                          '--out', 'people')
+        try:
+            page = open_page(browser, console, plain=True)
+            page.keyboard.press('t')
+            page.wait_for_selector('#volunteer')
+            page.fill('#volunteer', '7')
+            page.keyboard.press('Enter')
+            for flight in (1, 2):
+                heading = "document.querySelector('#dialog h3').textContent"
+                until(page, f"{heading}.includes('{flight} of 2')")
+                page.click('#desk-go')
+                page.wait_for_selector('[data-answer=yes]', timeout=120_000)
+                rate(page)
+                if flight == 1:
+                    until(page, "document.querySelector('#rest-left') !== null")
+                    page.click('#desk-go')
+            until(page, "document.querySelector('#dialog').textContent.includes('P07')")
+            assert page.problems == []
+        finally:
+            console.close()
+            browser.close()
+    ratings = sorted((tmp_path / 'people').glob('P07/*/ratings.json'))
+    assert len(ratings) == 2
+    made = [json.loads(file.read_text()) for file in ratings]
+    assert {m['condition'] for m in made} == {'shared', 'automatic'}
+    assert {m['seed'] for m in made} == {7003}          # paired: the same start in both
+    assert made[0]['cooper_harper']['rating'] == 5 and made[0]['tlx']['mean'] == 55
+    done = rvd('report', 'people', cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    page = (tmp_path / 'people' / 'report.html').read_text()
+    assert '1 volunteers, 2 rated' in page.replace('\n', ' ')
