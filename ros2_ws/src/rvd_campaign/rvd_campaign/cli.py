@@ -209,6 +209,4 @@ def _bench(args: argparse.Namespace) -> int:
 
 
 if __name__ == '__main__':
-    from rvd_campaign import cli                # one CannotRun: not __main__'s own copy
-
-    sys.exit(cli.main())
+    sys.exit(main())
