@@ -237,16 +237,23 @@ def _movable(pilot: PilotParams, name: str) -> bool:
 
 def combinations(found: list[Sensitivity]) -> tuple[NDArray, NDArray]:
     """
-    Return the singular values (3,) of the answers, and the noise of each.
+    Return the singular values (3,) of the answers, and what noise alone would make of each.
 
     A value below 1 says: the best combination of numbers, moved by 100 % in all, moves the
-    statistics by less than one standard error of the paper's experiment.
+    statistics by less than one standard error of the paper's experiment. Noise never cancels in
+    a singular value: that of many blind numbers adds up.
     """
     matrix = np.array([s.answer for s in found]).T
-    left, values, right = np.linalg.svd(matrix, full_matrices=False)
-    noise = np.array([s.noise for s in found]).T
-    spread = np.sqrt(np.einsum('ik,ij,jk->k', left**2, noise**2, right.T**2))
-    return values, spread
+    left, values, _ = np.linalg.svd(matrix, full_matrices=False)
+    noise = np.array([s.noise for s in found])
+    return values, np.sqrt(np.einsum('ik,ji->k', left*left, noise*noise))
+
+
+def seen(values: NDArray, floor: NDArray, count: int) -> int:
+    """Return how many combinations stand out of the noise of `count` answers and matter."""
+    beyond = values*values - floor*floor
+    clear = beyond > 3.0*sqrt(2.0/count) * floor*floor      # three deviations of a noise sum
+    return int((clear & (beyond > 1.0)).sum())
 
 
 # -- the command -----------------------------------------------------------------------------
@@ -317,21 +324,27 @@ def study(bench: Bench, pilot: PilotParams, look: Look, name: str) -> list[str]:
     """Return in words what condition 1 identifies and what it does not."""
     errors = look.errors()
     found = sensitivities(bench, pilot, errors)
-    values, noise = combinations(found)
-    seen = int((values > np.maximum(1.0, 3.0*noise)).sum())
+    still = [s.name for s in found if not (s.answer.any() or s.noise.any())]
+    found = [s for s in found if s.name not in still]
+    values, floor = combinations(found)
+    visible = seen(values, floor, len(found))
     own = next(s for s in found if s.name == name)
     lines = [
         '', f'{name} by itself: known to {100/abs(own.answer[0]):.0f} % (one standard error of '
             f'the paper\'s 100 runs) from the success rate',
         f'{len(found)} numbers against {len(STATISTICS)} statistics. Combinations of numbers '
-        'that the statistics answer to,', 'strongest first, in standard errors per 100 %: '
-        + ', '.join(f'{v:.1f} +- {n:.1f}' for v, n in zip(values, noise)),
-        f'A paper-sized experiment sees {seen} of them, and nothing of the other '
-        f'{len(found) - seen}.', '', 'answer to +100 % of    success        offset         rate'
+        'that the statistics answer to,', 'strongest first, in standard errors per 100 % (in '
+        'brackets: what noise alone would make): '
+        + ', '.join(f'{v:.1f} ({n:.1f})' for v, n in zip(values, floor)),
+        f'These runs see {visible} of them; of the other {len(found) - visible} combinations '
+        'condition 1 tells nothing that they could see.',
+        *([f'A tenth more or less moves nothing, as time goes in whole steps: {", ".join(still)}']
+          if still else []),
+        '', 'answer to +100 % of       success        offset          rate'
         '          (standard errors, +- noise)']
     for s in found:
         cells = '  '.join(f'{a:6.1f} +- {n:4.1f}' for a, n in zip(s.answer, s.noise))
-        lines.append(f'  {s.name:<20} {cells}')
+        lines.append(f'  {s.name:<22} {cells}')
     return lines + profile(bench, pilot, name)
 
 
