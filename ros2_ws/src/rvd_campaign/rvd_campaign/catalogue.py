@@ -34,7 +34,7 @@ def find(kind: str, name: str, suffixes: tuple[str, ...]) -> Path:
         If there is no such file; the text lists what is shipped.
     """
     path = Path(name)
-    if path.exists():
+    if path.is_file() or path.is_dir() and '' in suffixes:      # a tape may be a folder
         return path
     for suffix in suffixes:
         shipped = root() / kind / f'{name}{suffix}'

@@ -98,6 +98,12 @@ def test_shipped_campaigns_are_listed():
     assert [name for name, _ in entries('campaigns')] == SHIPPED
 
 
+def test_a_folder_of_the_same_name_does_not_hide_a_shipped_campaign(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / 'eta').mkdir()
+    assert load_campaign('eta').name == 'eta'
+
+
 def test_identity_hangs_on_settings_and_seed_but_not_on_runs_or_words():
     base = 'conditions: {a: {}, b: {pilot: C}}\n'
     mine = identity(parse_campaign(base, 'x'))
