@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 import yaml
 
+from rvd_campaign.verdict import LINK_COUNTS
 from rvd_dynamics.mission import Mission
 from rvd_dynamics.params import build, leaves
 from rvd_dynamics.recording.mcap_file import records
@@ -24,8 +25,6 @@ from rvd_dynamics.recording.steps import step_reader
 from rvd_dynamics.ros import graph
 
 NS_PER_S = 1_000_000_000
-LINK_COUNTS = ('sent', 'duplicated', 'delivered', 'late', 'lost', 'outage', 'duplicate_dropped',
-               'in_flight', 'queued', 'corrupted', 'reordered')
 LINK_DELAYS = ('play_out_delay', 'delay_p50', 'delay_p99', 'delay_max')
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
