@@ -25,7 +25,12 @@ def start_rvd(*args: str, cwd: Path) -> subprocess.Popen:
     """Start `rvd ARGS` in a process group of its own, output kept in `cwd`/out."""
     return subprocess.Popen(command(*args), cwd=cwd, env=environment(), text=True,
                             stdout=(cwd / 'out').open('w'), stderr=subprocess.STDOUT,
-                            start_new_session=True)
+                            start_new_session=True, preexec_fn=_hear_ctrl_c)
+
+
+def _hear_ctrl_c() -> None:
+    """Undo what a shell does to jobs in the background: they inherit a Ctrl-C that is ignored."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 
 def command(*args: str) -> list[str]:
