@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 from rvd_dynamics import streams
 from rvd_dynamics.judge import Judge, Verdict
 from rvd_dynamics.link.models import LinkParams
-from rvd_dynamics.link.plan import draw_plan
+from rvd_dynamics.link.plan import intact_of_runs
 from rvd_dynamics.mission import Mission
 from rvd_dynamics.orbit.models import TRUTH_MODELS
 from rvd_dynamics.spacecraft.levels import stick_levels
@@ -290,9 +290,8 @@ def draw(settings: LoopSettings, runs: Sequence[int], whole: bool = False) -> Dr
     seed, flown = mission.seed, mission.operator == 'model'
 
     def intact(params: LinkParams, purpose: str, hold_steps: int) -> NDArray[np.bool_]:
-        return np.stack([
-            draw_plan(params, rng, steps, mission.step_ns, hold_steps).intact_in_time
-            for rng in streams.generators(seed, runs, purpose)])
+        return intact_of_runs(params, streams.generators(seed, runs, purpose), len(runs), steps,
+                              mission.step_ns, hold_steps)
 
     return Draws(
         key=draws_key(settings, runs),

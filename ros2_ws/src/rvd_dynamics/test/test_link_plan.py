@@ -6,9 +6,10 @@ from event_queue import fly, sendings_of
 from hypothesis import given, strategies as st
 import numpy as np
 import pytest
+from rvd_dynamics import streams
 from rvd_dynamics.link.channel import damaged
 from rvd_dynamics.link.models import Constant, Empirical, Gamma, LinkParams, Uniform
-from rvd_dynamics.link.plan import draw_plan, LinkPlan
+from rvd_dynamics.link.plan import draw_plan, intact_of_runs, LinkPlan
 
 STEP_NS = 500_000_000
 HOLD = 10                       # [steps]
@@ -255,3 +256,14 @@ def test_nothing_cannot_be_damaged():
 
 def test_what_is_always_damaged_is_never_intact():
     assert not draw(LinkParams(corrupt_fraction=1.0)).intact_in_time.any()
+
+
+@pytest.mark.parametrize('params', [LinkParams(), ALL_FAULTS, replace(LinkParams(),
+                         outage_windows_s=(3.0, 9.0)), replace(LinkParams(), model='constant')])
+def test_plans_of_many_runs_are_those_of_each_run(params):
+    runs = [4, 0, 9]
+    many = intact_of_runs(params, streams.generators(3, runs, 'link_back'), 3, 120, 500_000_000,
+                          10)
+    for ours, run in zip(many, runs):
+        alone = draw_plan(params, streams.generator(3, run, 'link_back'), 120, 500_000_000, 10)
+        assert np.array_equal(ours, alone.intact_in_time)

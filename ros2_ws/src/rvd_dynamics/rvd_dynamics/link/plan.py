@@ -11,6 +11,7 @@ the link may make of it. Transits are integer ns, so that "transit = nT is in ti
 Source  Zhang, Li, Tang, J. Astronautics 35(3), 2014, section 1.3, rules (1)-(4).
 """
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -26,7 +27,11 @@ FAR_AHEAD = 1 << 64             # draw of the stream with which the transits beg
 
 @dataclass(frozen=True, eq=False)
 class LinkPlan:
-    """The fate of every frame of a run; arrays of shape (steps,) or (steps, 2)."""
+    """
+    The fate of every frame of a run; arrays of shape (steps,) or (steps, 2).
+
+    Of many runs at once with a leading axis; `outage` is the same in all of them.
+    """
 
     hold_ns: int                        # [ns] play-out delay nT
     transit_ns: NDArray[np.int64]       # (steps, 2) [ns]; of no meaning where lost
@@ -41,8 +46,8 @@ class LinkPlan:
     def in_time(self) -> NDArray[np.bool_]:
         """Copies that reach the play-out buffer by their instant of release, shape (steps, 2)."""
         in_time = (self.transit_ns <= self.hold_ns) & ~self.lost
-        in_time[:, 1] &= self.duplicated
-        in_time[self.outage] = False
+        in_time[..., 1] &= self.duplicated
+        in_time &= ~self.outage[:, None]
         return in_time
 
     @cached_property
@@ -57,10 +62,10 @@ class LinkPlan:
         -------
         ndarray of bool, shape (steps,)
         """
-        first, second = self.in_time[:, 0], self.in_time[:, 1]
-        sooner = self.transit_ns[:, 1] < self.transit_ns[:, 0]
+        first, second = self.in_time[..., 0], self.in_time[..., 1]
+        sooner = self.transit_ns[..., 1] < self.transit_ns[..., 0]
         copy_counts = second & (sooner | ~first)
-        damaged = np.where(copy_counts, self.damaged[:, 1], self.damaged[:, 0])
+        damaged = np.where(copy_counts, self.damaged[..., 1], self.damaged[..., 0])
         return (first | second) & ~damaged
 
 
@@ -95,31 +100,58 @@ def draw_plan(params: LinkParams, rng: np.random.Generator, mission_steps: int, 
     require(mission_steps >= 1, 'mission_steps', 'be positive', mission_steps)
     require(step_ns >= 1, 'step_ns', 'be positive', step_ns)
     require(hold_steps >= 0, 'hold_steps', 'not be negative', hold_steps)
-    hold_ns = hold_steps * step_ns
+    uniforms, transits = _drawn(params, rng, mission_steps, hold_steps * step_ns)
+    return _plan(params, np.asfortranarray(uniforms), np.asfortranarray(transits),  # for speed
+                 step_ns, hold_steps)
+
+
+def intact_of_runs(params: LinkParams, rngs: Iterable[np.random.Generator], runs: int,
+                   mission_steps: int, step_ns: int, hold_steps: int) -> NDArray[np.bool_]:
+    """
+    Return `draw_plan(...).intact_in_time` of many runs, shape (runs, steps).
+
+    `rngs` yields their generators one after the other, as `streams.generators` does.
+    """
+    uniforms = np.ones((UNIFORMS_PER_STEP, runs if params.has_faults else 1, mission_steps))
+    transits = np.empty((2, runs, mission_steps))
+    for i, rng in enumerate(rngs):
+        drawn, transits.T[:, i] = _drawn(params, rng, mission_steps, hold_steps * step_ns)
+        if params.has_faults:
+            uniforms.T[:, i] = drawn
+    return _plan(params, np.moveaxis(uniforms, 0, -1), np.moveaxis(transits, 0, -1),
+                 step_ns, hold_steps).intact_in_time
+
+
+def _drawn(params: LinkParams, rng: np.random.Generator, steps: int, hold_ns: int
+           ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Draw the uniforms (steps, 9) and transits (steps, 2) [s] of one run."""
     if params.has_faults:
-        uniforms = rng.random((mission_steps, UNIFORMS_PER_STEP))
+        uniforms = rng.random((steps, UNIFORMS_PER_STEP))
         rng.bit_generator.advance(FAR_AHEAD - uniforms.size)    # to one place, whatever the length
     else:
-        uniforms = np.ones((mission_steps, UNIFORMS_PER_STEP))  # a draw is below 1: none strikes
+        uniforms = np.ones((steps, UNIFORMS_PER_STEP))          # draws are below 1: none strikes
         rng.bit_generator.advance(FAR_AHEAD)
-    transits = params.delay_model.delays(rng, (mission_steps, 2), hold_ns / 1e9)
-    uniforms, transits = np.asfortranarray(uniforms), np.asfortranarray(transits)   # for speed
+    return uniforms, params.delay_model.delays(rng, (steps, 2), hold_ns / 1e9)
 
-    struck = uniforms[:, :7] < (
+
+def _plan(params: LinkParams, uniforms: NDArray, transits: NDArray, step_ns: int,
+          hold_steps: int) -> LinkPlan:
+    """Make the plan of draws (..., steps, 9) and transits (..., steps, 2) [s]."""
+    struck = uniforms[..., :7] < (
         params.loss_fraction, params.loss_fraction, params.reorder_fraction,
         params.reorder_fraction, params.corrupt_fraction, params.corrupt_fraction,
         params.duplicate_fraction)
     missing = np.isnan(transits)
     transit_ns = np.rint(np.where(missing, 0.0, transits) * 1e9).astype(np.int64)
-    transit_ns += struck[:, 2:4] * round(params.reorder_delay_s * 1e9)
+    transit_ns += struck[..., 2:4] * round(params.reorder_delay_s * 1e9)
     return LinkPlan(
-        hold_ns=hold_ns,
+        hold_ns=hold_steps * step_ns,
         transit_ns=transit_ns,
-        lost=missing | struck[:, 0:2],
-        damaged=struck[:, 4:6],
-        damage=uniforms[:, 7:9],
-        duplicated=struck[:, 6],
-        outage=_outage(params.outages_ns, mission_steps, step_ns),
+        lost=missing | struck[..., 0:2],
+        damaged=struck[..., 4:6],
+        damage=uniforms[..., 7:9],
+        duplicated=struck[..., 6],
+        outage=_outage(params.outages_ns, transits.shape[-2], step_ns),
     )
 
 
