@@ -2,6 +2,7 @@
 
 import os
 import signal
+import time
 
 import pytest
 from runs import (
@@ -75,3 +76,18 @@ def test_a_killed_recorder_loses_nothing_it_had_received(flying, tmp_path):
     recording = read(tmp_path / 'run')
     steps = recording.truth.step
     assert len(steps) > 5 and list(steps) == list(range(len(steps)))
+
+
+def test_a_node_that_hangs_after_the_flight_does_not_take_the_verdict_with_it(monkeypatch, capsys):
+    """The supervisor is played here: hanging in the middleware cannot be had on demand."""
+    from types import SimpleNamespace
+
+    from rvd_campaign import fly
+    monkeypatch.setattr(fly, 'END_S', 0.1)
+    flight = object.__new__(fly.Flight)
+    flight._headless, flight._on_line = True, False
+    flight._supervisor = SimpleNamespace(pids={'a': 1, 'link_forward': 2}, codes={'a': 0},
+                                         ended=False, failures=dict)
+    flight._watch = SimpleNamespace(spin=lambda s: time.sleep(0.01), events=[], steps=1)
+    flight._wait_for_the_nodes()
+    assert 'link_forward did not end after the flight' in capsys.readouterr().err

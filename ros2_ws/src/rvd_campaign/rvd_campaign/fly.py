@@ -20,6 +20,7 @@ from rvd_campaign.scenario import load, Scenario
 from rvd_campaign.supervisor import Supervisor
 
 START_S = 60.0                  # [s] wall time for the graph to come up
+END_S = 15.0                    # [s] wall time for the nodes to end after the verdict
 STALL_S = 10.0                  # [s] wall time without a step before the run is given up
 SHOW_S = 0.2                    # [s] wall time between two looks
 
@@ -162,17 +163,14 @@ class Flight:
             self._show()
             if self._stop_asked():
                 raise KeyboardInterrupt
+            if self._watch.verdict is not None and self._watch.verdict.final:
+                self._wait_for_the_nodes()
+                return None
             failures = self._supervisor.failures()
             if failures:
                 return self._why(failures)
-            if self._watch.verdict is not None and self._watch.verdict.final:
-                importlib.import_module('rvd_campaign.report')      # a second, while nodes end
             if self._supervisor.ended:
-                if self._supervisor.code != 0:
-                    return self._supervisor.complaint() or 'the bring-up failed'
-                if self._watch.verdict is None or not self._watch.verdict.final:
-                    return 'the run ended without a verdict'
-                return None
+                return self._supervisor.complaint() or 'the run ended without a verdict'
             now = time.monotonic()
             if not self._watch.steps and now - begun > START_S:
                 waiting = sorted(set(self._supervisor.pids) - self._watch.ready)
@@ -182,6 +180,28 @@ class Flight:
                 owing = self._watch.who_owes(list(self._supervisor.pids))
                 return (f'no step for {STALL_S:g} s of wall time: '
                         f'{", ".join(owing) or "no node"} owes a message')
+
+    def _wait_for_the_nodes(self) -> None:
+        """
+        Let every node end, now that the verdict is known; say which one did not end well.
+
+        The middleware has been seen to hang for ever while a process leaves it (once in some
+        2,000): that must not take the flight with it.
+        """
+        importlib.import_module('rvd_campaign.report')  # takes a second: while the nodes end
+        deadline = time.monotonic() + END_S
+        while not self._supervisor.ended and time.monotonic() < deadline:
+            self._watch.spin(SHOW_S)
+            self._show()
+        late = sorted(set(self._supervisor.pids) - set(self._supervisor.codes))
+        if late:
+            self._end_line()
+            print(f'rvd fly: {", ".join(late)} did not end after the flight and is ended now',
+                  file=sys.stderr)
+        elif self._supervisor.failures():
+            self._end_line()
+            print(f'rvd fly: after the flight {self._why(self._supervisor.failures())}',
+                  file=sys.stderr)
 
     def _stalled(self, now: float) -> bool:
         watch, mission = self._watch, self._mission
