@@ -185,8 +185,8 @@ class Flight:
         """
         Let every node end, now that the verdict is known; say which one did not end well.
 
-        The middleware has been seen to hang for ever while a process leaves it (once in some
-        2,000): that must not take the flight with it.
+        The middleware has been seen, once, to hang for ever while a process left it
+        (`destroy_node`): that must not take the flight with it.
         """
         importlib.import_module('rvd_campaign.report')  # takes a second: while the nodes end
         deadline = time.monotonic() + END_S
