@@ -59,7 +59,7 @@ def outward_normal(position: ArrayLike, corridor: CorridorParams) -> Array:
     rho = np.sqrt(y*y + z*z)
     unknown = 0.0 * (x + rho)               # 0, or NaN: an unknown position has no normal
     lateral = cos(corridor.alpha) * _reciprocal(rho) + unknown
-    return np.stack([sin(corridor.alpha) + unknown, lateral*y, lateral*z], axis=-1)
+    return np.moveaxis(np.stack([sin(corridor.alpha) + unknown, lateral*y, lateral*z]), 0, -1)
 
 
 def nearest_point(position: ArrayLike, corridor: CorridorParams) -> Array:

@@ -145,3 +145,12 @@ def test_unknown_stays_unknown_and_known_axes_stay_known():
 def test_impossible_mean_motion_is_refused_with_its_value(matrix, n):
     with pytest.raises(ValueError, match=f'mean motion must be positive, got {n}'):
         matrix(n, 1.0)
+
+
+@given(st.integers(0, 2**32 - 1), st.sampled_from([(), (1,), (5,), (2, 3)]))
+def test_product_is_the_matrix_product_whatever_is_zero(seed, batch):
+    rng = np.random.default_rng(seed)
+    matrix = rng.normal(size=(4, 6)) * (rng.random((4, 6)) < 0.5)
+    matrix[2] = 0.0
+    vectors = rng.normal(size=(*batch, 6))
+    assert_allclose(cw.product(matrix, vectors), vectors @ matrix.T, rtol=1e-13, atol=1e-13)

@@ -41,8 +41,8 @@ def step(state: ArrayLike, accel: ArrayLike, n: float, radius: float,
     k3 = _rate([a + half*b for a, b in zip(s, k2)], u, n, radius)
     k4 = _rate([a + dt*b for a, b in zip(s, k3)], u, n, radius)
     sixth = dt / 6
-    return np.stack([a + sixth*(b + 2.0*(c + d) + e)
-                     for a, b, c, d, e in zip(s, k1, k2, k3, k4)], axis=-1)
+    return np.moveaxis(np.stack([a + sixth*(b + 2.0*(c + d) + e)
+                                 for a, b, c, d, e in zip(s, k1, k2, k3, k4)]), 0, -1)
 
 
 def _rate(s: Components, u: tuple, n: float, radius: float) -> Components:

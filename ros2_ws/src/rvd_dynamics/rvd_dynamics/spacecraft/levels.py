@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from rvd_dynamics.mission import StickParams, ThrustParams
 
 HIGHEST = 3                             # levels run from -HIGHEST to HIGHEST
-AXES = np.arange(3)
+AXES = np.arange(3, dtype=np.int8)
 NEUTRAL = np.zeros(3, dtype=np.int8)
 NEUTRAL.flags.writeable = False
 
@@ -62,7 +62,7 @@ def acceleration(levels: ArrayLike, thrust: ThrustParams) -> NDArray[np.float64]
     index = levels + HIGHEST
     if index.size and not (index.min() >= 0 and index.max() <= 2 * HIGHEST):
         raise ValueError(f'levels must be -3 to 3, got {levels[abs(levels) > 3].tolist()}')
-    return _accelerations(thrust)[index, AXES]
+    return _accelerations(thrust).ravel()[3*index + AXES]
 
 
 def nearest_level(accel: ArrayLike, thrust: ThrustParams) -> NDArray[np.int8]:

@@ -191,7 +191,7 @@ class ScheduledFilter:
         if m > 0:
             prior = cw.step(prior, accel, self._phi, self._gamma)
         innovation = np.where(received[..., None], measured - prior, 0.0)
-        self.estimate = prior + np.einsum('ij,...j->...i', self._schedule.gains[m], innovation)
+        self.estimate = prior + cw.product(self._schedule.gains[m], innovation)
         if self.covariance is not None:
             self.covariance = self._next_covariance(m, received)
         return self.estimate

@@ -134,8 +134,8 @@ class Predictor:
 
     def _predict(self) -> Prediction:
         estimate = self._filter.estimate
-        correction = np.einsum('ij,...j->...i', self._phi_loop, estimate - self._model[0])  # (7)
-        predicted = self._model[-1] + correction                                            # (8)
+        correction = cw.product(self._phi_loop, estimate - self._model[0])      # (7)
+        predicted = self._model[-1] + correction                                # (8)
         known = self._valid[..., None]
         p, p_loop = self._covariances()
         return Prediction(np.where(known, estimate, np.nan), p,

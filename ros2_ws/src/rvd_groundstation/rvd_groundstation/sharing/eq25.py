@@ -53,7 +53,7 @@ class Eq25:
         -------
         ndarray of int8, shape (..., 3)
         """
-        return self._table[np.add(pilot, 3), np.add(auto, 3)]
+        return self._table[7*np.add(pilot, 3) + np.add(auto, 3)]
 
     @cached_property
     def _table(self) -> NDArray[np.int8]:
@@ -62,7 +62,7 @@ class Eq25:
         p, q = eta.numerator, eta.denominator
         up = q - 1 if self.rounding == 'away' else 0
         cells = [[blend(p*man + (q - p)*auto, q, up) for auto in LEVELS] for man in LEVELS]
-        return np.array(cells, dtype=np.int8)
+        return np.array(cells, dtype=np.int8).ravel()
 
 
 def blend(e: int, q: int, up: int) -> int:
