@@ -17,6 +17,8 @@ from rvd_dynamics import seeding
 
 Block = NDArray[np.float64]
 
+HANDFUL = 32                            # runs that are drawn before they are put in their places
+
 # Part of the key of every recorded result: never renumber, only append.
 PURPOSES = {
     'start': 0,
@@ -102,39 +104,51 @@ def generators(seed: int, runs: Sequence[int], purpose: str) -> Iterator[np.rand
 
 def start_normals_of_runs(seed: int, runs: Sequence[int]) -> Block:
     """Return `start_normals` of N runs, shape (N, 6)."""
-    return np.array([rng.standard_normal(6) for rng in generators(seed, runs, 'start')])
+    return _columns(generators(seed, runs, 'start'), len(runs), 6).T
 
 
 def normals_of_runs(seed: int, runs: Sequence[int], purpose: str, steps: int, width: int) -> Block:
     """
     Return standard normal draws of N runs, shape (N, steps, width).
 
-    In memory the runs of one step lie together, as a loop over steps reads them.
+    In memory the runs come last: a loop over steps reads each component of all runs in a row.
     """
-    drawn = np.empty((steps, len(runs), width))
-    for i, rng in enumerate(generators(seed, runs, purpose)):
-        drawn[:, i] = rng.standard_normal((steps, width))
-    return drawn.transpose(1, 0, 2)
+    drawn = _columns(generators(seed, runs, purpose), len(runs), steps*width)
+    return _blocks(drawn, width)
 
 
 def pilot_draws_of_runs(seed: int, runs: Sequence[int], steps: int) -> PilotDraws:
     """Return `pilot_draws` of N runs with a leading axis; memory as `normals_of_runs`."""
-    n = len(runs)
-    drawn = PilotDraws(np.empty((n, 6)), np.empty((n, 3)), np.empty((steps, n, 10)),
-                       np.empty((steps, n, 6)))
-    children = [(run, PURPOSES['pilot'], child) for run in runs for child in (0, 1)]
-    for number, rng in enumerate(seeding.generators(seed, children)):
-        i, uniform = divmod(number, 2)
-        if not uniform:
-            drawn.initial_normals[i] = rng.standard_normal(6)
-            drawn.normals[:, i] = rng.standard_normal((steps, 10))
-        else:
-            drawn.initial_uniforms[i] = rng.random(3)
-            drawn.uniforms[:, i] = rng.random((steps, 6))
-    return drawn._replace(normals=drawn.normals.transpose(1, 0, 2),
-                          uniforms=drawn.uniforms.transpose(1, 0, 2))
+    normal_rngs, uniform_rngs = (
+        seeding.generators(seed, [(run, PURPOSES['pilot'], child) for run in runs])
+        for child in (0, 1))
+    normals = _columns(normal_rngs, len(runs), 6 + steps*10)
+    uniforms = _columns(uniform_rngs, len(runs), 3 + steps*6, uniform=True)
+    return PilotDraws(normals[:6].T, uniforms[:3].T, _blocks(normals[6:], 10),
+                      _blocks(uniforms[3:], 6))
 
 
 def skill_normals(seed: int, operators: Sequence[int]) -> Block:
     """Return `skill_normal` of N operators, shape (N,)."""
-    return np.array([rng.standard_normal() for rng in generators(seed, operators, 'pilot_skill')])
+    return _columns(generators(seed, operators, 'pilot_skill'), len(operators), 1)[0]
+
+
+def _columns(rngs: Iterator[np.random.Generator], count: int, size: int,
+             uniform: bool = False) -> Block:
+    """Return (size, count): the first `size` draws of each generator, one column each."""
+    drawn = np.empty((size, count))
+    handful = np.empty((HANDFUL, size))         # a column alone touches a page of memory a draw
+    for i, rng in enumerate(rngs):
+        at = i % HANDFUL
+        if uniform:
+            rng.random(out=handful[at])
+        else:
+            rng.standard_normal(out=handful[at])
+        if at == HANDFUL - 1 or i == count - 1:
+            drawn[:, i - at:i + 1] = handful[:at + 1].T
+    return drawn
+
+
+def _blocks(columns: Block, width: int) -> Block:
+    """Return (N, steps, width) of columns (steps*width, N), in place."""
+    return columns.reshape(-1, width, columns.shape[-1]).transpose(2, 0, 1)

@@ -14,6 +14,7 @@ Source  Zhang, Li, Tang, J. Astronautics 35(3), 2014, section 1.3, rules (1)-(4)
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import islice
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,6 +23,7 @@ from rvd_dynamics.link.models import LinkParams
 from rvd_dynamics.params import require
 
 UNIFORMS_PER_STEP = 9           # loss 2, held up 2, damage 2, duplicate 1, which damage 2
+HANDFUL = 32                    # runs that are planned at a time
 FAR_AHEAD = 1 << 64             # draw of the stream with which the transits begin
 
 
@@ -110,16 +112,23 @@ def intact_of_runs(params: LinkParams, rngs: Iterable[np.random.Generator], runs
     """
     Return `draw_plan(...).intact_in_time` of many runs, shape (runs, steps).
 
-    `rngs` yields their generators one after the other, as `streams.generators` does.
+    `rngs` yields their generators one after the other, as `streams.generators` does. In memory
+    the runs of one step lie together, as a loop over steps reads them.
     """
-    uniforms = np.ones((UNIFORMS_PER_STEP, runs if params.has_faults else 1, mission_steps))
-    transits = np.empty((2, runs, mission_steps))
-    for i, rng in enumerate(rngs):
-        drawn, transits.T[:, i] = _drawn(params, rng, mission_steps, hold_steps * step_ns)
-        if params.has_faults:
-            uniforms.T[:, i] = drawn
-    return _plan(params, np.moveaxis(uniforms, 0, -1), np.moveaxis(transits, 0, -1),
-                 step_ns, hold_steps).intact_in_time
+    intact = np.empty((mission_steps, runs), dtype=bool)
+    rngs = iter(rngs)
+    for first in range(0, runs, HANDFUL):       # so many that their plans stay near the processor
+        count = min(HANDFUL, runs - first)
+        uniforms = np.ones((UNIFORMS_PER_STEP, count if params.has_faults else 1, mission_steps))
+        transits = np.empty((2, count, mission_steps))
+        for i, rng in enumerate(islice(rngs, count)):
+            drawn, transits.T[:, i] = _drawn(params, rng, mission_steps, hold_steps * step_ns)
+            if params.has_faults:
+                uniforms.T[:, i] = drawn
+        plan = _plan(params, np.moveaxis(uniforms, 0, -1), np.moveaxis(transits, 0, -1),
+                     step_ns, hold_steps)
+        intact[:, first:first + count] = plan.intact_in_time.T
+    return intact.T
 
 
 def _drawn(params: LinkParams, rng: np.random.Generator, steps: int, hold_ns: int
