@@ -174,7 +174,7 @@ class Pilot:
         self._decide_closing(step, ready[0], shown)
         self._decide_lateral(step, ready[1:], shown, normals, uniforms)
         levels = np.where(step < self._pulse_end, self._pulse, 0.0)
-        return np.ascontiguousarray(levels.T, dtype=np.int8).reshape(*self._batch, 3)
+        return levels.astype(np.int8).T.reshape(*self._batch, 3)
 
     def _look(self, step: int, estimate: ArrayLike, predicted: ArrayLike,
               valid: ArrayLike) -> Array:
@@ -203,43 +203,50 @@ class Pilot:
 
     def _decide_closing(self, step: int, ready: NDArray[np.bool_], shown: Array) -> None:
         """Keep the closing rate: level 1 against an error that is large enough to see."""
-        p = self._params
-        error = shown[3] - p.closing_rate_m_s + self._gain*(p.rate_bias_m_s*self._bias[3])
-        acts = ready & (np.abs(error) > p.closing_error_m_s)
-        self._start_pulse(0, step, acts, -np.sign(error), self._closing_pulse)
-        self._decide_at[0] = np.where(ready, step + p.closing_interval_s*self._per_s,
-                                      self._decide_at[0])
+        p, who = self._params, np.flatnonzero(ready)
+        error = (shown[3, who] - p.closing_rate_m_s
+                 + self._gain[who]*(p.rate_bias_m_s*self._bias[3, who]))
+        acts = np.abs(error) > p.closing_error_m_s
+        self._start_pulse(step, who[acts], -np.sign(error[acts]), self._closing_pulse)
+        self._decide_at[0, who] = step + p.closing_interval_s*self._per_s
 
     def _decide_lateral(self, step: int, ready: NDArray[np.bool_], shown: Array,
                         normals: Array, uniforms: Array) -> None:
-        """Bring y and z, each by itself, towards the axis in pulses; arrays (2, n)."""
-        if not ready.any():
+        """
+        Bring y and z, each by itself, towards the axis in pulses.
+
+        Few axes decide in a step: arrays are (m,), one entry for each that does, and `at` is
+        its place when the y of all pilots is followed by the z of all.
+        """
+        at = np.flatnonzero(ready)
+        if at.size == 0:
             return
-        p = self._params
-        error = self._rate_error(shown)
+        p, who = self._params, at % ready.shape[1]
+        error = self._rate_error(shown, at, who)
         size = np.abs(error)
-        acts = ready & (size > p.rate_error_m_s)
-        change = p.pulse_gain*np.exp(p.pulse_spread*normals[7:9]) * size        # N7 y, N8 z
+        change = p.pulse_gain*np.exp(p.pulse_spread*_at(normals[7:9], at)) * size   # N7 y, N8 z
         first, second, third = self._mission.thrust.lateral_m_s2
         above_2, above_3 = change > p.level_2_m_s, change > p.level_3_m_s
         level = 1.0 + above_2 + above_3
         accel = np.where(above_3, third, np.where(above_2, second, first))
         steps = np.rint(change * self._per_s / accel)
         steps = np.minimum(np.maximum(steps, self._shortest), self._longest)
-        slips = uniforms[2:4] < p.slip_fraction*self._gain                      # U2 y, U3 z
+        slips = _at(uniforms[2:4], at) < p.slip_fraction*self._gain[who]            # U2 y, U3 z
         side = np.where(slips, -np.sign(error), np.sign(error))
-        self._start_pulse(slice(1, 3), step, acts, side*level, steps)
-        pause = p.decision_interval_s*self._per_s * np.exp(p.decision_spread*normals[9])
+        acts = size > p.rate_error_m_s
+        lateral = at + ready.shape[1]                           # place when x comes before y
+        self._start_pulse(step, lateral[acts], (side*level)[acts], steps[acts])
+        pause = p.decision_interval_s*self._per_s * np.exp(p.decision_spread*normals[9, who])
         again = np.where(acts, pause + steps, p.idle_interval_fraction*pause)
-        self._decide_at[1:] = np.where(ready, step + again, self._decide_at[1:])
+        np.put(self._decide_at, lateral, step + again)
 
-    def _rate_error(self, shown: Array) -> Array:
-        """Return the lateral rate that is wanted minus the one perceived, (2, n) [m/s]."""
-        p, corridor = self._params, self._mission.corridor
-        to_go = np.maximum(-shown[0], 0.0)
-        blur = self._gain * (p.position_bias_m + p.position_bias_per_m*to_go)
-        offset = shown[1:3] + blur*self._bias[1:3]
-        rate = shown[4:6] + self._gain*(p.rate_bias_m_s*self._bias[4:6])
+    def _rate_error(self, shown: Array, at: NDArray[np.int64], who: NDArray[np.int64]) -> Array:
+        """Return the lateral rate that is wanted minus the one perceived, (m,) [m/s]."""
+        p, corridor, gain = self._params, self._mission.corridor, self._gain[who]
+        to_go = np.maximum(-shown[0, who], 0.0)
+        blur = gain * (p.position_bias_m + p.position_bias_per_m*to_go)
+        offset = _at(shown[1:3], at) + blur*_at(self._bias[1:3], at)
+        rate = _at(shown[4:6], at) + gain*(p.rate_bias_m_s*_at(self._bias[4:6], at))
         rate = np.where(np.abs(rate) < p.rate_threshold_m_s, 0.0, rate)
         dead_zone = p.dead_zone_fraction * radius(-to_go, corridor)     # it shrinks on the way
         excess = np.sign(offset) * np.maximum(np.abs(offset) - dead_zone, 0.0)
@@ -248,7 +255,12 @@ class Pilot:
         wanted = np.minimum(np.maximum(-excess/lead, -p.max_rate_m_s), p.max_rate_m_s)
         return wanted - rate
 
-    def _start_pulse(self, axes: int | slice, step: int, acts: NDArray[np.bool_], level: Array,
+    def _start_pulse(self, step: int, at: NDArray[np.int64], level: Array,
                      steps: ArrayLike) -> None:
-        self._pulse_end[axes] = np.where(acts, step + steps, self._pulse_end[axes])
-        self._pulse[axes] = np.where(acts, level, self._pulse[axes])
+        np.put(self._pulse_end, at, step + steps)
+        np.put(self._pulse, at, level)
+
+
+def _at(rows: Array, at: NDArray[np.int64]) -> Array:
+    """Return the elements (m,) of `rows` (2, n) at their places in a row."""
+    return rows.reshape(-1)[at]
