@@ -189,7 +189,7 @@ class _Loop:
         self.judge = Judge(mission, (n,))
         self.ended = np.zeros(n, dtype=bool)
         self.end_step = np.full(n, -1, dtype=np.int64)
-        self.decided_steps = np.zeros((n, 4), dtype=np.int64)
+        self.decided_steps = np.zeros((4, n), dtype=np.int64).T
         self.changed_steps = np.zeros(n, dtype=np.int64)
         # on its way down and up: [0] is released in this step, [-1] has just been sent
         self._down: deque[Array] = deque(maxlen=mission.back_steps + 1)
@@ -263,7 +263,8 @@ class _Loop:
     def _tally(self, decision: Decision, pilot: Levels) -> None:
         """Count who decided, in the runs under way."""
         live = ~self.ended
-        self.decided_steps[np.arange(live.size), decision.decided_by] += live
+        for by, steps in enumerate(self.decided_steps.T):
+            steps += live & (decision.decided_by == by)
         differs = decision.levels != pilot
         self.changed_steps += live & (differs[:, 0] | differs[:, 1] | differs[:, 2])
 

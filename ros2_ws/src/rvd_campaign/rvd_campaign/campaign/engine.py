@@ -39,7 +39,8 @@ from rvd_campaign.loop import draw, draws_key, fly
 from rvd_campaign.scenario import Scenario
 
 KEPT, PARTS, RESULTS = 'campaign.json', 'parts', 'results.parquet'
-BATCH_STEPS = 200_000           # runs times steps that fly together: 150 MB of draws, full speed
+BATCH_STEPS = 800_000           # runs times steps that fly together: 110 MB of draws, full speed
+SMALL_BATCH = 250               # runs; fewer are not parted further to give each worker some
 TOGETHER = 4                    # conditions that share the draws of their runs, at most
 SPARE_BYTES = 8 << 20           # of disk, for summary and report
 FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
@@ -173,11 +174,20 @@ def stretches(campaign: Campaign, done: list[Stretch], workers: Workers) -> list
     """Return what is to be flown, all conditions advancing together."""
     todo = []
     for index, condition in enumerate(campaign.conditions):
-        size = workers.batch or max(1, BATCH_STEPS // (condition.scenario.mission.last_step + 1))
+        steps = condition.scenario.mission.last_step + 1
+        size = workers.batch or _batch(campaign.runs, max(1, BATCH_STEPS // steps), workers.count)
         for gap in results.missing(done, index, campaign.runs):
             todo += [Stretch(index, first, min(size, gap.stop - first))
                      for first in range(gap.start, gap.stop, size)]
     return sorted(todo, key=lambda s: (s.first, s.condition))
+
+
+def _batch(runs: int, most: int, workers: int) -> int:
+    """Return how many runs fly together: equal shares, the same number for each worker."""
+    shares = -(-runs // most)
+    if runs >= SMALL_BATCH * workers:
+        shares = -(-shares // workers) * workers
+    return -(-runs // shares)
 
 
 def check_space(folder: Path, runs: int) -> None:

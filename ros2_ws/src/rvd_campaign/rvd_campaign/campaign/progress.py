@@ -17,6 +17,7 @@ class Progress:
         self._stream = stream or sys.stdout
         self._live = self._stream.isatty()
         self._begun = self._shown = time.monotonic()
+        self._ended: float | None = None
         self._start = self.done = self.total = 0
 
     @property
@@ -26,8 +27,8 @@ class Progress:
 
     @property
     def elapsed_s(self) -> float:
-        """Wall time of this session."""
-        return time.monotonic() - self._begun
+        """Wall time of this session, until `end`: what comes after is no flying."""
+        return (self._ended or time.monotonic()) - self._begun
 
     def begin(self, done: int, total: int) -> None:
         """Begin with so many runs finished before."""
@@ -54,7 +55,8 @@ class Progress:
                 f'{rate:,.0f} runs/s, {left} left')
 
     def end(self) -> None:
-        """Leave the line."""
+        """Leave the line, and stop the clock."""
+        self._ended = time.monotonic()
         if self._live and self.flown:
             self._stream.write('\r\x1b[K')
             self._stream.flush()
