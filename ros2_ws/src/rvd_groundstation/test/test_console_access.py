@@ -49,12 +49,24 @@ def test_the_token_is_in_the_fragment_of_the_address():
     assert token_of(['rvd.console.1']) is None
 
 
-@pytest.mark.parametrize('bind', ['0.0.0.0', '192.168.1.4', '::', 'example.org'])
+@pytest.mark.parametrize('bind', ['192.168.1.4', '127.0.0.2', 'fe80::1', 'example.org'])
 def test_an_address_that_others_reach_needs_tls(bind):
     with pytest.raises(ValueError, match='TLS'):
         check_bind(bind, '', '')
     check_bind(bind, 'cert.pem', 'key.pem')
     check_bind('127.0.0.1', '', '')
+
+
+@pytest.mark.parametrize('bind', ['', '0.0.0.0', '::'])
+def test_an_address_that_stands_for_all_is_refused(bind):
+    with pytest.raises(ValueError, match='give the one address or name that pages will open'):
+        check_bind(bind, 'cert.pem', 'key.pem')
+
+
+def test_an_address_of_ipv6_is_in_brackets():
+    access = Access('right', 'fe80::1', 8480, secure=True)
+    assert access.url == 'https://[fe80::1]:8480/#right'
+    assert access.refusal('[fe80::1]:8480', 'https://[fe80::1]:8480', True) is None
 
 
 def test_throttle_lets_its_rate_through_and_no_more():

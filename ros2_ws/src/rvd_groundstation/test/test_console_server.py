@@ -2,15 +2,20 @@
 
 import asyncio
 import json
+from pathlib import Path
+import ssl
 import struct
 
 import aiohttp
 import pytest
 
 from rvd_dynamics.mission import Mission
+from rvd_groundstation.console import server
 from rvd_groundstation.console.access import CONTENT_POLICY
 from rvd_groundstation.console.hub import Hub
 from rvd_groundstation.console.server import Address, Server
+
+TLS = Path(__file__).parent / 'tls'         # made for these tests, trusted by nobody else
 
 
 class Graph:
@@ -34,13 +39,13 @@ class Graph:
 class House:
     """A server with a run under way."""
 
-    def __init__(self, runs=None, **hub):
+    def __init__(self, runs=None, address=Address(port=0), **hub):
         self.hub, self.graph, self.runs = Hub(**hub), Graph(), runs
+        self.address = address
 
     async def __aenter__(self):
-        self.server = Server(self.hub, Address(port=0), self.runs)
-        await self.server.start()
-        self.base = f'http://127.0.0.1:{self.server.access.port}'
+        self.server = Server(self.hub, self.address, self.runs)
+        self.base = (await self.server.start()).split('/#')[0]
         self.session = aiohttp.ClientSession()
         self.hub.begin('run', Mission(), self.graph)
         return self
@@ -139,6 +144,78 @@ def test_w1_too_large_and_too_many_frames_close_the_page_and_no_other():
                     pass
             assert (await ask(quiet, do='take'))['ok']
     run(work())
+
+
+async def half_a_request(house):
+    """Open a connection and send a request that does not end."""
+    reader, writer = await asyncio.open_connection('127.0.0.1', house.server.access.port)
+    writer.write(b'GET / HTTP/1.1\r\nHost: 127.0')
+    await writer.drain()
+    return reader, writer
+
+
+async def cut_off(reader):
+    try:
+        return await asyncio.wait_for(reader.read(), 5.0) == b''
+    except ConnectionResetError:
+        return True
+
+
+def test_w1_a_connection_that_never_finishes_asking_is_cut_off(monkeypatch):
+    monkeypatch.setattr(server, 'ASK_S', 0.4)
+
+    async def work():
+        async with House() as house, house.socket() as pilot:
+            slow = [await half_a_request(house) for _ in range(20)]
+            assert all([await cut_off(reader) for reader, _ in slow])
+            assert (await ask(pilot, do='take'))['ok']      # it has been there for as long
+            for _, writer in slow:
+                writer.close()
+    run(work())
+
+
+def test_w1_more_connections_than_there_is_room_for_are_turned_away():
+    async def work():
+        async with House() as house, house.socket() as pilot:
+            held = [await half_a_request(house) for _ in range(server.MAX_CONNECTIONS)]
+            assert await cut_off(held[-1][0])
+            assert (await ask(pilot, do='take'))['ok']
+            for _, writer in held:
+                writer.close()
+            await asyncio.sleep(0.1)
+            async with house.session.get(house.base + '/') as answer:   # and there is room again
+                assert answer.status == 200
+    run(work())
+
+
+def test_beyond_loopback_pages_come_and_fly_by_tls_alone():
+    address = Address('127.0.0.2', 0, str(TLS / 'cert.pem'), str(TLS / 'key.pem'))
+    trusted = ssl.create_default_context(cafile=TLS / 'cert.pem')
+
+    async def work():
+        async with House(address=address) as house:
+            assert house.base.startswith('https://127.0.0.2:')
+            async with house.session.get(house.base + '/', ssl=trusted) as answer:
+                assert answer.status == 200
+            async with house.session.ws_connect(
+                    house.base + '/ws', headers={'Origin': house.base}, ssl=trusted,
+                    protocols=('rvd.console.1', 'token.' + house.server.access.token)) as pilot:
+                assert (await ask(pilot, do='take'))['ok']
+                await pilot.send_bytes(stick(x=1.0, sequence=3))
+                await ask(pilot, do='ping')
+                assert [s.sequence for s in house.graph.sticks] == [3]
+            plain = house.base.replace('https', 'http')
+            with pytest.raises(aiohttp.ClientError):
+                await house.session.get(plain + '/')
+            with pytest.raises(aiohttp.WSServerHandshakeError):
+                await house.session.ws_connect(house.base + '/ws', headers={'Origin': plain},
+                                               ssl=trusted)
+    run(work())
+
+
+def test_a_certificate_that_is_none_is_one_line(tmp_path):
+    with pytest.raises(ValueError, match='cannot load the TLS certificate .*nowhere.pem'):
+        Address('127.0.0.2', 0, str(tmp_path / 'nowhere.pem'), str(TLS / 'key.pem')).tls()
 
 
 def test_there_is_room_for_fifty_watchers_and_a_pilot():

@@ -39,8 +39,12 @@ def check_bind(bind: str, certificate: str, key: str) -> None:
     Raises
     ------
     ValueError
-        If `bind` is not a loopback address and certificate or key is missing.
+        If `bind` is not a loopback address and certificate or key is missing, or if it stands
+        for every address: Host could not be checked then.
     """
+    if bind in ('', '0.0.0.0', '::'):
+        raise ValueError(f'the console cannot bind to {bind or "nothing"}: give the one address '
+                         'or name that pages will open, and TLS (--tls-cert, --tls-key)')
     if bind in ('127.0.0.1', '::1', 'localhost'):
         return
     if not (certificate and key):
@@ -60,17 +64,17 @@ class Access:
     @property
     def hosts(self) -> frozenset[str]:
         """Values of the Host header that are ours."""
-        names = set(LOOPBACK)
-        if self.bind not in ('127.0.0.1', '::1', '0.0.0.0', '::'):
-            names.add(self.bind)
-        return frozenset(f'{name}:{self.port}' for name in names)
+        return frozenset(f'{name}:{self.port}' for name in {*LOOPBACK, self._host})
+
+    @property
+    def _host(self) -> str:
+        return f'[{self.bind}]' if ':' in self.bind else self.bind
 
     @property
     def url(self) -> str:
         """The address to open; the token is in the fragment, which no request carries."""
         scheme = 'https' if self.secure else 'http'
-        host = '127.0.0.1' if self.bind in ('127.0.0.1', '0.0.0.0', '::') else self.bind
-        return f'{scheme}://{host}:{self.port}/#{self.token}'
+        return f'{scheme}://{self._host}:{self.port}/#{self.token}'
 
     def refusal(self, host: str | None, origin: str | None, must_have_origin: bool) -> str | None:
         """Return why a request with these headers is refused, None when it is not."""

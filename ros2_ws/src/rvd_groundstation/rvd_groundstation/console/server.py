@@ -24,6 +24,8 @@ STATIC = Path(__file__).parent / 'static'
 REQUEST_RATE, REQUEST_BURST = 60.0, 200.0       # [1/s] of all pages together
 FAILURE_RATE, FAILURE_BURST = 5.0, 5.0          # [1/s] wrong tokens
 HEARTBEAT_S = 10.0
+ASK_S = 10.0                    # [s] wall time in which a new connection must have asked something
+MAX_CONNECTIONS = 256           # a page has one socket, and six more while it loads
 
 
 @dataclass(frozen=True)
@@ -65,6 +67,8 @@ class Server:
         self._requests = Throttle(REQUEST_RATE, REQUEST_BURST)
         self._failures = Throttle(FAILURE_RATE, FAILURE_BURST)
         self._tasks: list[asyncio.Task] = []
+        # connections that have asked nothing yet, and what will cut them off
+        self._silent: dict[asyncio.Protocol, asyncio.TimerHandle] = {}
 
     async def start(self) -> str:
         """Listen; return the URL to open."""
@@ -77,14 +81,14 @@ class Server:
         self._runner = web.AppRunner(app, access_log=None, keepalive_timeout=15.0,
                                      shutdown_timeout=0.5)
         await self._runner.setup()
-        site = web.TCPSite(self._runner, self._address.bind, self._address.port,
-                           ssl_context=context)
         try:
-            await site.start()
+            self._listener = await asyncio.get_running_loop().create_server(
+                self._connection, self._address.bind, self._address.port, ssl=context,
+                ssl_handshake_timeout=ASK_S if context else None)
         except OSError as error:
             raise ValueError(f'the console cannot listen on {self._address.bind}:'
                              f'{self._address.port}: {error.strerror}') from None
-        port = site._server.sockets[0].getsockname()[1]
+        port = self._listener.sockets[0].getsockname()[1]
         self.access = Access(self._token, self._address.bind, port, context is not None)
         self._tasks = [asyncio.create_task(self.hub.pump()),
                        asyncio.create_task(self.hub.housekeeping())]
@@ -98,13 +102,33 @@ class Server:
             client.closing = 'BYE'
             client.wake.set()
         await asyncio.sleep(0.05)
+        self._listener.close()
         await self._runner.cleanup()
+
+    # -- connections ----------------------------------------------------------------------
+
+    def _connection(self) -> asyncio.Protocol:
+        """Admit a connection; it is cut off when it does not ask anything soon."""
+        if len(self._runner.server.connections) >= MAX_CONNECTIONS:
+            return _NoRoom()
+        handler = self._runner.server()
+        self._silent[handler] = asyncio.get_running_loop().call_later(
+            ASK_S, self._cut_off, handler)
+        return handler
+
+    def _cut_off(self, handler: asyncio.Protocol) -> None:
+        del self._silent[handler]
+        if handler.transport is not None:
+            handler.transport.abort()
 
     # -- requests -------------------------------------------------------------------------
 
     @web.middleware
     async def _guard(self, request: web.Request, handler) -> web.StreamResponse:
         """Check Host and Origin and add the protecting headers to every answer."""
+        timer = self._silent.pop(request.protocol, None)
+        if timer is not None:
+            timer.cancel()
         if self.access is None or not self._requests.allow(time.monotonic()):
             return _plain(429, 'too many requests')
         why = self.access.refusal(request.headers.get('Host'), request.headers.get('Origin'),
@@ -205,6 +229,13 @@ class Server:
             request.transport.abort()
             return
         await socket.close(code=1008, message=client.closing.encode())
+
+
+class _NoRoom(asyncio.Protocol):
+    """Turns a connection away."""
+
+    def connection_made(self, transport: asyncio.BaseTransport) -> None:
+        transport.abort()
 
 
 def _bearer(request: web.Request) -> str | None:
