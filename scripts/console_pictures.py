@@ -18,8 +18,9 @@ from console_page import (                      # noqa: E402
     chromium, Console, FLAGS, KEYS, open_page, playwright, take_and_start, until, wanted_key)
 
 SIZE = {'width': 1280, 'height': 720}
-SHARP = ('(() => { Object.assign(rvd.scene, {adaptive: false, quality: 1}); '
+SHARP = ('(() => { Object.assign(rvd.scene, {adaptive: false, quality: 2}); '
          'rvd.scene.resize(); })()')
+FAST = SHARP.replace('quality: 2', 'quality: 0.5')
 
 
 def fly_until(page, seconds: float) -> None:
@@ -53,13 +54,16 @@ def main() -> None:
             page.evaluate(SHARP)
             page.wait_for_timeout(1500)
             page.screenshot(path=images / 'console-flight.png')
-            page.evaluate('(() => { rvd.scene.adaptive = true; })()')
+            page.evaluate(FAST)
             fly_until(page, 100.0)
             until(page, 'Boolean(rvd.store.verdict)', 120.0)
             until(page, "rvd.store.status.phase === 'ended'", 120.0)
-            page.wait_for_timeout(500)
+            page.evaluate(SHARP)
+            page.wait_for_timeout(1500)
             page.screenshot(path=images / 'console-verdict.png')
+            page.evaluate(FAST)
             page.keyboard.press('Escape')
+            until(page, "!document.getElementById('dialog').open")
             page.keyboard.press('l')
             page.wait_for_selector('[data-run]')
             page.click('[data-run]')

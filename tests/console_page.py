@@ -10,12 +10,10 @@ from pathlib import Path
 
 import pytest
 from runs import end, ROOT, start_rvd, wait_for
+from rvd_campaign.bench.console import FLAGS
 
 WEB = ROOT / 'ros2_ws/src/rvd_groundstation/console_web'
 INSTALL = 'apt-get install -y chromium'
-FLAGS = ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
-         '--ignore-gpu-blocklist', '--disable-quic', '--no-first-run',
-         '--disable-background-networking', '--disable-component-update', '--disable-sync']
 SETTLE_S = 10.0                 # [s] simulated: how fast the scripted pilot wants errors gone
 DEAD_ZONE = 0.01                # [m/s] rate errors below are left alone
 KEYS = {1: ('ArrowDown', 'ArrowUp'), 2: ('ArrowLeft', 'ArrowRight')}     # of y and z: -, +

@@ -1,4 +1,5 @@
-// 2D canvases that keep sharp: sized to their box, drawn in units of rem.
+// What is shown beside the scene: words, and 2D canvases that keep sharp, sized to their box and
+// drawn in units of rem.
 
 export const COLOUR = {
   measured: '#7cc4ff', predicted: '#ffb652', auto: '#d59bf6', ok: '#56d6b0', alarm: '#ff7a5c',
@@ -6,13 +7,31 @@ export const COLOUR = {
   stale: '#7b8793',
 };
 
+// Whether WebGL is drawn by the processor: there each picture of a canvas that goes through it
+// costs more than drawing it at once, and so does every smoothed edge.
+export const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i.test(renderer());
+
+function renderer() {
+  const gl = document.createElement('canvas').getContext('webgl2');
+  if (!gl) return '';
+  const info = gl.getExtension('WEBGL_debug_renderer_info');
+  const name = String(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
+  gl.getExtension('WEBGL_lose_context')?.loseContext();
+  return name;
+}
+
+// Put words into an element; the same words again cost nothing, where setting them would paint.
+export function say(element, words) {
+  if (element.textContent !== words) element.textContent = words;
+}
+
 export function begin(canvas) {
   const box = canvas.getBoundingClientRect();
   const ratio = Math.min(devicePixelRatio || 1, 2);
   const width = Math.max(1, Math.round(box.width * ratio));
   const height = Math.max(1, Math.round(box.height * ratio));
   if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
-  const pen = canvas.getContext('2d');
+  const pen = canvas.getContext('2d', { willReadFrequently: SOFTWARE });
   pen.setTransform(ratio, 0, 0, ratio, 0, 0);
   pen.clearRect(0, 0, box.width, box.height);
   const rem = parseFloat(getComputedStyle(document.documentElement).fontSize);

@@ -2,133 +2,135 @@
 // Axes are the target orbital frame: x along track, y radially outward, z completes the triad.
 
 import * as THREE from 'three';
+import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
 
 export const COLOURS = {
   measured: 0x7cc4ff, predicted: 0xffb652, wall: 0x6f8aa5, boundary: 0xb9c2a0, truth: 0xf2f5f8,
   auto: 0xd59bf6, ok: 0x56d6b0,
 };
 
-function lambert(color, extra) {
-  return new THREE.MeshLambertMaterial({ color, ...extra });
+// A shape in its place and colour. What is of one material is merged into one mesh: each mesh is a
+// call to the graphics driver, and calls, not triangles, are what a picture costs.
+function part(geometry, colour, place) {
+  geometry.deleteAttribute('uv');
+  const shade = new THREE.Color(colour);
+  const colours = new Float32Array(geometry.attributes.position.count * 3);
+  for (let i = 0; i < colours.length; i += 3) shade.toArray(colours, i);
+  geometry.setAttribute('color', new THREE.BufferAttribute(colours, 3));
+  return geometry.applyMatrix4(place);
 }
 
-function cylinder(material, top, bottom, length, x) {
-  const mesh = new THREE.Mesh(new THREE.CylinderGeometry(top, bottom, length, 32), material);
-  mesh.rotation.z = -Math.PI / 2; // its axis along x, `top` towards +x
-  mesh.position.x = x;
-  return mesh;
+function cylinder(colour, top, bottom, length, x) { // its axis along x, `top` towards +x
+  const place = new THREE.Matrix4().makeRotationZ(-Math.PI / 2).setPosition(x, 0, 0);
+  return part(new THREE.CylinderGeometry(top, bottom, length, 32), colour, place);
 }
 
-function box(material, x, y, z, sx, sy, sz) {
-  const mesh = new THREE.Mesh(new THREE.BoxGeometry(sx, sy, sz), material);
-  mesh.position.set(x, y, z);
-  return mesh;
+function box(colour, x, y, z, sx, sy, sz) {
+  return part(new THREE.BoxGeometry(sx, sy, sz), colour, new THREE.Matrix4().setPosition(x, y, z));
 }
 
-function panels(material, frame, x, reach, length, width) {
-  const made = new THREE.Group();
+function panels(colour, frame, x, reach, length, width) {
+  const made = [];
   for (const side of [-1, 1]) {
-    made.add(box(frame, x, 0, side * (reach + length / 2), width, 0.015, length));
+    made.push(box(frame, x, 0, side * (reach + length / 2), width, 0.015, length));
     for (let i = 0; i < 4; i += 1) {
       const z = side * (reach + (length * (i + 0.5)) / 4);
-      made.add(box(material, x, 0.012, z, width * 0.94, 0.012, (length / 4) * 0.9));
+      made.push(box(colour, x, 0.012, z, width * 0.94, 0.012, (length / 4) * 0.9));
     }
-    made.add(box(frame, x, 0, (side * reach) / 2 + side * 0.1, 0.04, 0.03, reach));
+    made.push(box(frame, x, 0, (side * reach) / 2 + side * 0.1, 0.04, 0.03, reach));
   }
   return made;
 }
 
-// The docking face is at the group's origin; the body lies behind it, towards -x.
+// The docking face is at the origin; the body lies behind it, towards -x.
+function chaserParts() {
+  const [hull, dark, foil] = [0xd5dbe2, 0x3a4652, 0xb98f4c];
+  return [
+    cylinder(dark, 0.13, 0.16, 0.1, -0.05), cylinder(hull, 0.17, 0.3, 0.2, -0.2),
+    cylinder(hull, 0.3, 0.3, 0.5, -0.55), cylinder(foil, 0.3, 0.26, 0.22, -0.91),
+    cylinder(dark, 0.09, 0.16, 0.16, -1.09), ...panels(0x27508a, dark, -0.7, 0.34, 0.95, 0.34)];
+}
+
 export function chaser() {
-  const group = new THREE.Group();
-  const hull = lambert(0xd5dbe2);
-  const dark = lambert(0x3a4652);
-  const foil = lambert(0xb98f4c);
-  group.add(cylinder(dark, 0.13, 0.16, 0.1, -0.05));
-  group.add(cylinder(hull, 0.17, 0.3, 0.2, -0.2));
-  group.add(cylinder(hull, 0.3, 0.3, 0.5, -0.55));
-  group.add(cylinder(foil, 0.3, 0.26, 0.22, -0.91));
-  group.add(cylinder(dark, 0.09, 0.16, 0.16, -1.09));
-  group.add(panels(lambert(0x27508a), dark, -0.7, 0.34, 0.95, 0.34));
-  return group;
+  return new THREE.Mesh(mergeGeometries(chaserParts()),
+    new THREE.MeshLambertMaterial({ vertexColors: true }));
 }
 
 export function ghost(colour) {
-  const group = chaser();
-  const skin = new THREE.MeshBasicMaterial({
-    color: colour, transparent: true, opacity: 0.16, depthWrite: false });
-  const edge = new THREE.LineBasicMaterial({ color: colour, transparent: true, opacity: 0.75 });
-  const meshes = [];
-  group.traverse((part) => { if (part.isMesh) meshes.push(part); });
-  for (const mesh of meshes) {
-    mesh.material = skin;
-    mesh.add(new THREE.LineSegments(new THREE.EdgesGeometry(mesh.geometry, 40), edge));
-  }
-  return group;
+  const parts = chaserParts();
+  const body = new THREE.Mesh(mergeGeometries(parts), new THREE.MeshBasicMaterial({
+    color: colour, transparent: true, opacity: 0.16, depthWrite: false }));
+  body.add(new THREE.LineSegments(mergeGeometries(parts.map((one) => new THREE.EdgesGeometry(one, 40))),
+    new THREE.LineBasicMaterial({ color: colour, transparent: true, opacity: 0.75 })));
+  return body;
 }
 
 // Its port is at the origin; the station lies towards +x.
 export function target(dockingRadius) {
-  const group = new THREE.Group();
-  const hull = lambert(0xc3cad2);
-  const dark = lambert(0x333e49);
-  group.add(cylinder(dark, 0.24, 0.2, 0.14, 0.08));
-  group.add(cylinder(hull, 0.5, 0.26, 0.3, 0.3));
-  group.add(cylinder(hull, 0.5, 0.5, 1.5, 1.2));
-  group.add(cylinder(lambert(0xaeb6be), 0.3, 0.5, 0.35, 2.1));
-  group.add(panels(lambert(0x27508a), dark, 1.25, 0.55, 2.1, 0.8));
-  // The cross that the camera aims at.
-  const mark = new THREE.MeshBasicMaterial({ color: 0xf2f5f8 });
-  group.add(box(mark, 0, 0, 0, 0.01, 0.3, 0.025), box(mark, 0, 0, 0, 0.01, 0.025, 0.3));
-  const ring = new THREE.Mesh(new THREE.TorusGeometry(dockingRadius, 0.012, 10, 72),
-    new THREE.MeshBasicMaterial({ color: COLOURS.ok }));
-  ring.rotation.y = Math.PI / 2;
-  group.add(ring);
-  return group;
+  const [hull, dark, white] = [0xc3cad2, 0x333e49, 0xf2f5f8];
+  const station = new THREE.Mesh(mergeGeometries([
+    cylinder(dark, 0.24, 0.2, 0.14, 0.08), cylinder(hull, 0.5, 0.26, 0.3, 0.3),
+    cylinder(hull, 0.5, 0.5, 1.5, 1.2), cylinder(0xaeb6be, 0.3, 0.5, 0.35, 2.1),
+    ...panels(0x27508a, dark, 1.25, 0.55, 2.1, 0.8)]),
+  new THREE.MeshLambertMaterial({ vertexColors: true }));
+  // The cross that the camera aims at, and the docking circle.
+  station.add(new THREE.Mesh(mergeGeometries([
+    box(white, 0, 0, 0, 0.01, 0.3, 0.025), box(white, 0, 0, 0, 0.01, 0.025, 0.3),
+    part(new THREE.TorusGeometry(dockingRadius, 0.012, 10, 72), COLOURS.ok,
+      new THREE.Matrix4().makeRotationY(Math.PI / 2))]),
+  new THREE.MeshBasicMaterial({ vertexColors: true })));
+  return station;
 }
 
-function circle(x, radius, material) {
-  const points = [];
-  for (let i = 0; i <= 64; i += 1) {
+function circle(x, radius) {
+  return Array.from({ length: 65 }, (_, i) => {
     const a = (i / 64) * 2 * Math.PI;
-    points.push(new THREE.Vector3(x, radius * Math.cos(a), radius * Math.sin(a)));
-  }
-  return new THREE.Line(new THREE.BufferGeometry().setFromPoints(points), material);
+    return new THREE.Vector3(x, radius * Math.cos(a), radius * Math.sin(a));
+  });
 }
 
-function meridians(xs, radii, count, material) {
-  const group = new THREE.Group();
-  for (let k = 0; k < count; k += 1) {
+function meridians(xs, radii, count) {
+  return Array.from({ length: count }, (_, k) => {
     const a = (k / count) * 2 * Math.PI;
-    const points = xs.map((x, i) => new THREE.Vector3(x, radii[i] * Math.cos(a), radii[i] * Math.sin(a)));
-    const line = new THREE.Line(new THREE.BufferGeometry().setFromPoints(points), material);
-    line.computeLineDistances();
-    group.add(line);
+    return xs.map((x, i) => new THREE.Vector3(x, radii[i] * Math.cos(a), radii[i] * Math.sin(a)));
+  });
+}
+
+// Lines through rows of points, each with its own distance along it for dashes.
+function strokes(rows, material) {
+  const [points, along] = [[], []];
+  for (const row of rows) {
+    let distance = 0;
+    for (let i = 1; i < row.length; i += 1) {
+      points.push(row[i - 1], row[i]);
+      along.push(distance, distance += row[i].distanceTo(row[i - 1]));
+    }
   }
-  return group;
+  const geometry = new THREE.BufferGeometry().setFromPoints(points);
+  geometry.setAttribute('lineDistance', new THREE.Float32BufferAttribute(along, 1));
+  return new THREE.LineSegments(geometry, material);
 }
 
 export function corridor({ x, wall, boundary }) {
-  const group = new THREE.Group();
   const line = new THREE.LineBasicMaterial({ color: COLOURS.wall, transparent: true, opacity: 0.8 });
   const faint = new THREE.LineBasicMaterial({ color: COLOURS.wall, transparent: true, opacity: 0.38 });
-  const skin = new THREE.MeshBasicMaterial({ color: COLOURS.wall, transparent: true, opacity: 0.05,
-    side: THREE.DoubleSide, depthWrite: false });
-  const profile = x.map((s, i) => new THREE.Vector2(wall[i], s));
-  const cone = new THREE.Mesh(new THREE.LatheGeometry(profile, 48), skin);
-  cone.rotation.z = -Math.PI / 2;
-  group.add(cone);
-  group.add(meridians([x[0], x[x.length - 1]], [wall[0], wall[wall.length - 1]], 4, line));
-  group.add(meridians([x[0], x[x.length - 1]], [wall[0], wall[wall.length - 1]], 12, faint));
-  for (let s = Math.ceil(x[0] / 5) * 5; s <= -5; s += 5) {
-    group.add(circle(s, interpolate(x, wall, s), s % 10 === 0 ? line : faint));
-  }
   const dashes = new THREE.LineDashedMaterial({ color: COLOURS.boundary, dashSize: 0.35,
     gapSize: 0.22, transparent: true, opacity: 0.85 });
-  group.add(meridians(x, boundary, 4, dashes));
-  for (const s of [-10, -20, -30]) group.add(circle(s, interpolate(x, boundary, s), dashes).computeLineDistances());
-  const axis = meridians([x[0], 0], [0, 0], 1, faint);
-  group.add(axis);
+  const skin = new THREE.MeshBasicMaterial({ color: COLOURS.wall, transparent: true, opacity: 0.05,
+    side: THREE.DoubleSide, depthWrite: false });
+  const [ends, radii] = [[x[0], x[x.length - 1]], [wall[0], wall[wall.length - 1]]]; // straight
+  const profile = ends.map((s, i) => new THREE.Vector2(radii[i], s));
+  const cone = new THREE.Mesh(new THREE.LatheGeometry(profile, 48), skin);
+  cone.rotation.z = -Math.PI / 2;
+  const bright = meridians(ends, radii, 4);
+  const dim = [...meridians(ends, radii, 12), [new THREE.Vector3(x[0], 0, 0), new THREE.Vector3(0, 0, 0)]];
+  for (let s = Math.ceil(x[0] / 5) * 5; s <= -5; s += 5) {
+    (s % 10 === 0 ? bright : dim).push(circle(s, interpolate(x, wall, s)));
+  }
+  const bounds = meridians(x, boundary, 4);
+  for (const s of [-10, -20, -30]) bounds.push(circle(s, interpolate(x, boundary, s)));
+  const group = new THREE.Group();
+  group.add(cone, strokes(bright, line), strokes(dim, faint), strokes(bounds, dashes));
   return group;
 }
 
@@ -155,7 +157,8 @@ export function sky() {
   stars.setAttribute('position', new THREE.Float32BufferAttribute(places, 3));
   group.add(new THREE.Points(stars, new THREE.PointsMaterial({ color: 0x8fa3ba, size: 1.3,
     sizeAttenuation: false, transparent: true, opacity: 0.7 })));
-  const geometry = new THREE.SphereGeometry(500 * (1738 / 1938), 96, 64);
+  const limb = Math.acos(1738 / 1938); // from the middle of the Moon: what lies beyond is hidden
+  const geometry = new THREE.SphereGeometry(500 * (1738 / 1938), 80, 16, 0, 2 * Math.PI, 0, 1.05 * limb);
   const position = geometry.attributes.position;
   const colours = [];
   const n = new THREE.Vector3();

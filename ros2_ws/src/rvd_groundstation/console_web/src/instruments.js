@@ -1,7 +1,7 @@
 // Numbers, section of the corridor, thrust levels, round trip: what a pilot reads.
 
 import { BY, REASONS, S, fill } from './strings.js';
-import { COLOUR, begin, ring, text } from './canvas.js';
+import { COLOUR, begin, ring, say, text } from './canvas.js';
 import { interpolate } from './craft.js';
 
 const $ = (id) => document.getElementById(id);
@@ -48,14 +48,14 @@ export class Motion {
     for (const [key, , , digits] of ROWS) {
       made.forEach((m, i) => {
         const cell = $(`${i ? 'p' : 'm'}-${key}`);
-        cell.textContent = number(m[key], digits);
+        say(cell, number(m[key], digits));
         cell.classList.toggle('stale-value', stale && i === 0);
         cell.classList.toggle('bad', this.bad(key, m, run));
       });
     }
     const wall = made[1].wall ?? made[0].wall;
-    $('l-offset').textContent = wall === undefined ? '' : `< ${wall.toFixed(2)}`;
-    $('l-margin').textContent = '> 0';
+    say($('l-offset'), wall === undefined ? '' : `< ${wall.toFixed(2)}`);
+    say($('l-margin'), '> 0');
     return made;
   }
 
@@ -117,7 +117,7 @@ export function bullseye(canvas, run, first, second, sigma, outlook, truth) {
     pen.strokeStyle = COLOUR.truth;
     cross(pen, x, y, rem * 0.3);
   }
-  $('section-at').textContent = fill(S.section_at, { x: number(station, 1) });
+  say($('section-at'), fill(S.section_at, { x: number(station, 1) }));
 }
 
 function cross(pen, x, y, r) {
@@ -142,8 +142,7 @@ export class Thrust {
     const words = cmd ? [BY[cmd.by]] : [];
     if (cmd && cmd.w !== null && cmd.by === 3) words.push(`${S.weight} ${cmd.w}`);
     if (cmd && REASONS[cmd.why]) words.push(REASONS[cmd.why]);
-    const said = words.join(' · ');
-    if ($('why').textContent !== said) $('why').textContent = said;
+    say($('why'), words.join(' · '));
   }
 
   bars(key, part, colour) {
@@ -154,15 +153,15 @@ export class Thrust {
       fillBar.style.background = colour;
       fillBar.style.left = `${level < 0 ? 50 + (level / 3) * 48 : 50}%`;
       fillBar.style.width = `${(Math.abs(level || 0) / 3) * 48}%`;
-      bar.lastChild.textContent = level === null ? S.unknown : level > 0 ? `+${level}` : `${level}`.replace('-', '−');
+      say(bar.lastChild, level === null ? S.unknown : level > 0 ? `+${level}` : `${level}`.replace('-', '−'));
     });
   }
 }
 
 export function clock(id, seconds, age, stale) {
   const box = $(`clock-${id}`);
-  box.textContent = seconds === null ? S.unknown : `${number(seconds, 1)} s`;
-  $(`clock-${id}-age`).textContent = age;
+  say(box, seconds === null ? S.unknown : `${number(seconds, 1)} s`);
+  say($(`clock-${id}-age`), age);
   box.parentElement.classList.toggle('stale', Boolean(stale));
 }
 

@@ -1,5 +1,6 @@
 // The page: words into their places, messages into the store, the store onto the screen.
 
+import { say } from './canvas.js';
 import { Charts } from './charts.js';
 import { Desk } from './desk.js';
 import * as dialogs from './dialogs.js';
@@ -14,6 +15,7 @@ import { S, fill } from './strings.js';
 
 const $ = (id) => document.getElementById(id);
 const FRAME_MS = 1000 / 30;
+const [READ_MS, IDLE_MS] = [60, 120]; // between two looks of the instruments: a new frame, an old one
 const STALE_S = 1.0; // beyond what the delay explains
 const ARM_MS = 2000; // between the two presses of ABORT
 const MODES = ['manual', 'shared', 'auto'];
@@ -35,6 +37,8 @@ const scene = new Scene($('gl'), $('view'), $('camera'), $('labels'));
 scene.enabled = !new URLSearchParams(location.search).has('plain'); // for weak machines
 let armedAt = -Infinity;
 let drawnAt = 0;
+let readAt = 0;
+let readFrame = null;
 let shownVerdict = null;
 let chartsAt = 0;
 const link = token ? new Link(token, take) : null;
@@ -196,9 +200,9 @@ function showStick() {
   const mine = store.status.lease === 'you';
   const held = stick.state().held;
   const words = !mine ? S.stick_watch : held ? `${S.stick_held} · ${S[stick.source]}` : S.stick_open;
-  $('stick-state').textContent = words;
+  say($('stick-state'), words);
   $('stick-state').className = !mine ? 'dim' : held ? 'ok' : 'alarm';
-  $('level').textContent = mine && stick.source === 'keyboard' ? `${S.level} ${stick.level}` : '';
+  say($('level'), mine && stick.source === 'keyboard' ? `${S.level} ${stick.level}` : '');
 }
 
 function showClocks(frame, now) {
@@ -206,7 +210,7 @@ function showClocks(frame, now) {
   const age = frame.tm ? now - frame.tm.gen : null;
   const stale = age !== null && age > run.back_s + STALE_S * Math.max(run.pace, 1);
   clock('gen', frame.tm ? frame.tm.gen : null, age === null ? '' : fill(S.age, { s: number(age, 1) }), stale);
-  clock('rx', frame.tm ? frame.tm.rx : null, frame.tm ? fill(S.ago, { s: number(now - frame.tm.rx, 1) }) : '', stale);
+  clock('rx', frame.tm ? frame.tm.rx : null, frame.tm ? fill(S.ago, { s: number(Math.max(now - frame.tm.rx, 0), 1) }) : '', stale);
   clock('pred', frame.pred?.ok ? frame.pred.t : null, frame.pred?.ok ? fill(S.ahead, { s: number(frame.pred.t - now, 1) }) : '', stale);
   return stale;
 }
@@ -236,7 +240,7 @@ function showFrame() {
   const silence = store.silence();
   showBanner(silence);
   showStick();
-  $('pause').textContent = frame?.paused ? S.resume : S.pause;
+  say($('pause'), frame?.paused ? S.resume : S.pause);
   for (const button of document.querySelectorAll('[data-mode]')) {
     button.setAttribute('aria-pressed', String(button.dataset.mode === (frame?.mode || run?.mode)));
   }
@@ -249,36 +253,44 @@ function showFrame() {
   motion.show(first, second, run, stale);
   bullseye($('bullseye'), run, first, second, frame.pred?.s, frame.margin);
   const [words, alarm] = leaveText(frame.margin);
-  $('leave-time').textContent = words;
+  say($('leave-time'), words);
   $('leave-time').className = alarm ? 'alarm' : '';
   thrust.show(frame.pilot, frame.auto, frame.cmd);
   dial($('dial'), run, frame.rtt, frame.tm?.transit);
   linkCounts(frame, run.step_s);
   ladder($('ladder'), run, store.ladder.values(), now);
-  $('ladder-counts').textContent = counts(store.ladder.values());
+  say($('ladder-counts'), counts(store.ladder.values()));
   scene.place({ measured: first?.slice(0, 3), predicted: second?.slice(0, 3), trail: store.trail.map((row) => row.slice(1, 4)),
     tube: tubeOf(frame), drift: frame.margin?.path, stale });
   if (performance.now() - chartsAt > 250) {
     chartsAt = performance.now();
     charts.show(store.errors);
     const rms = frame.score?.rms;
-    $('error-rms').textContent = rms && rms[0] !== null ? fill(S.rms, { p: number(100 * Math.hypot(rms[0], rms[1], rms[2]), 1),
-      v: number(1000 * Math.hypot(rms[3], rms[4], rms[5]), 1) }) : '';
+    say($('error-rms'), rms && rms[0] !== null ? fill(S.rms, { p: number(100 * Math.hypot(rms[0], rms[1], rms[2]), 1),
+      v: number(1000 * Math.hypot(rms[3], rms[4], rms[5]), 1) }) : '');
   }
 }
 
+// The scene moves in every picture; what is read changes with a frame, and no eye reads faster.
 function draw(at) {
   requestAnimationFrame(draw);
   if (at - drawnAt < FRAME_MS - 2) return;
   scene.adapt(at - drawnAt);
   drawnAt = at;
-  if (review.on) {
-    review.show({ motion, thrust, tubeOf });
-  } else {
-    showFrame();
+  const due = at - readAt > (store.frame === readFrame ? IDLE_MS : READ_MS);
+  if (due) {
+    readAt = at;
+    readFrame = store.frame;
+    if (review.on) review.show({ motion, thrust, tubeOf });
+    else showFrame();
   }
   scene.draw();
-  const shown = review.on ? review.camera() : store.frame && { state: store.frame.tm?.x, predicted: store.frame.pred?.ok ? store.frame.pred.x : null };
+  if (due) showReticle();
+}
+
+function showReticle() {
+  const { frame } = store;
+  const shown = review.on ? review.camera() : frame && { state: frame.tm?.x, predicted: frame.pred?.ok ? frame.pred.x : null };
   if (shown && (store.run || review.run)) reticle($('reticle'), scene, review.on ? review.run : store.run, shown.state, shown.predicted);
 }
 

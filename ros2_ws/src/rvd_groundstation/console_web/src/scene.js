@@ -3,6 +3,7 @@
 
 import * as THREE from 'three';
 import { COLOURS, Path, Tube, chaser, corridor, ghost, sky, target } from './craft.js';
+import { SOFTWARE } from './canvas.js';
 import { S, fill } from './strings.js';
 
 export const VIEWS = ['orbit', 'side', 'top'];
@@ -11,11 +12,12 @@ const SPAN = 40; // [m] along x in side and top views
 const BODY = 1; // layer of the chaser itself, which its own camera does not see
 const MAX_PIXELS = 2.2e6;
 const [SLOW_MS, FAST_MS, LEAST_QUALITY] = [60, 38, 0.35]; // between two pictures
+const MOST_QUALITY = SOFTWARE ? 0.5 : 1; // pixels that the processor draws it lacks for the loop
 
 export class Scene {
   constructor(canvas, view, camera, labels) {
     this.elements = { view, camera, labels };
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: false,
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: !SOFTWARE, alpha: false,
       powerPreference: 'high-performance' });
     this.renderer.setScissorTest(true);
     this.renderer.autoClear = false;
@@ -49,7 +51,7 @@ export class Scene {
     for (const lens of [this.perspective, this.ortho]) lens.layers.enable(BODY);
     this.orbit = { azimuth: 2.35, height: 0.34, zoom: 1, focus: new THREE.Vector3(-13, 0, 0) };
     this.kind = 'orbit';
-    Object.assign(this, { enabled: true, drawn: 0, quality: 1, adaptive: true, pace: 33, since: 0 });
+    Object.assign(this, { enabled: true, drawn: 0, quality: MOST_QUALITY, adaptive: true, pace: 33, since: 0 });
     this.marks = new Map();
     this.follow(view);
     this.resize();
@@ -62,9 +64,9 @@ export class Scene {
     this.pace = this.pace * 0.8 + Math.min(elapsed, 400) * 0.2;
     this.since += 1;
     const slow = this.pace > SLOW_MS && this.quality > LEAST_QUALITY;
-    const fast = this.pace < FAST_MS && this.quality < 1;
+    const fast = this.pace < FAST_MS && this.quality < MOST_QUALITY;
     if (this.since < (fast ? 150 : 6) || !(slow || fast)) return;
-    this.quality = Math.max(LEAST_QUALITY, Math.min(1, this.quality * (slow ? 0.7 : 1.25)));
+    this.quality = Math.max(LEAST_QUALITY, Math.min(MOST_QUALITY, this.quality * (slow ? 0.7 : 1.25)));
     this.since = 0;
     this.resize();
   }
@@ -121,9 +123,7 @@ export class Scene {
     put(this.measured, measured);
     put(this.ghost, predicted);
     put(this.truth, truth);
-    this.measured.traverse((part) => {
-      if (part.isMesh) { part.material.emissive?.setHex(stale ? 0x30353a : 0x0d2233); }
-    });
+    this.measured.material.emissive.setHex(stale ? 0x30353a : 0x0d2233);
     this.lines.measured.set(trail);
     this.lines.predicted.set(tube);
     this.lines.drift.set(drift || []);
@@ -237,8 +237,8 @@ export class Scene {
       const p = new THREE.Vector3(at[0], at[1], at[2]).project(lens);
       const inside = Math.abs(p.x) < 0.98 && Math.abs(p.y) < 0.96 && p.z < 1;
       mark.style.display = inside ? '' : 'none';
-      mark.style.left = `${((p.x + 1) / 2) * rect.width}px`;
-      mark.style.top = `${((1 - p.y) / 2) * rect.height + (drop ? 14 : 0)}px`;
+      mark.style.left = `${Math.round(((p.x + 1) / 2) * rect.width)}px`;
+      mark.style.top = `${Math.round(((1 - p.y) / 2) * rect.height) + (drop ? 14 : 0)}px`;
     }
   }
 
