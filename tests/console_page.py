@@ -120,6 +120,14 @@ def open_page(browser, console: Console, plain: bool = False, **options):
     return page
 
 
+def serious(page, web: Path) -> list:
+    """Return what axe-core finds of serious or critical impact on a page without policy."""
+    page.add_script_tag(path=str(web / 'node_modules/axe-core/axe.min.js'))
+    found = page.evaluate('axe.run().then((r) => r.violations)')
+    return [(v['id'], [n['html'] for n in v['nodes']][:3]) for v in found
+            if v['impact'] in ('serious', 'critical')]
+
+
 def take_and_start(page, mode: str = 'shared', seed: int | None = None) -> None:
     """Take the stick by key, start a run by keys and wait until it steps."""
     page.keyboard.press('Escape')

@@ -2,13 +2,12 @@
 The console end to end: the real graph, the real page in a headless browser, keys and gamepads.
 """
 
-import json
 import urllib.error
 import urllib.request
 
 import pytest
 from console_page import (
-    chromium, Console, FLAGS, fly_by_keys, open_page, playwright, take_and_start, until)
+    chromium, Console, FLAGS, fly_by_keys, open_page, playwright, serious, take_and_start, until)
 from runs import messages, ROOT, verdict_of, wait_for
 
 pytestmark = pytest.mark.slow
@@ -203,16 +202,11 @@ def test_strangers_are_refused(console):
 
 
 def test_axe_finds_nothing_serious(console, browser, console_web):
-    axe = console_web / 'node_modules/axe-core/axe.min.js'
     page = open_page(browser, console, plain=True, bypass_csp=True)
     page.keyboard.press('Escape')
     for dialog in (None, '#open-help', '#open-settings'):
         if dialog:
             page.click(dialog)
-        page.add_script_tag(path=str(axe))
-        found = page.evaluate('axe.run().then((r) => r.violations)')
-        bad = [(v['id'], [n['html'] for n in v['nodes']][:3]) for v in found
-               if v['impact'] in ('serious', 'critical')]
-        assert bad == [], json.dumps(bad, indent=1)
+        assert serious(page, console_web) == []
         page.keyboard.press('Escape')
     page.close()

@@ -17,10 +17,10 @@ from typing import Any
 from rvd_campaign.campaign.stats import wilson
 from rvd_campaign.page import STYLE
 
-SESSION = 'session.json'
+SESSION, WEIGHTS = 'session.json', 'tlx_weights.json'
 COLUMNS = ('volunteer', 'number', 'condition', 'mode', 'training', 'seed', 'reason', 'success',
            'duration_s', 'x_rate_m_s', 'offset_m', 'lateral_rate_m_s', 'delta_v_m_s',
-           'cooper_harper', 'tlx')
+           'cooper_harper', 'tlx', 'tlx_weighted')
 
 
 @dataclass(frozen=True)
@@ -36,6 +36,7 @@ class Condition:
     lateral_rate: float | None          # [m/s]
     cooper_harper: tuple                # median, lowest, highest
     tlx: tuple                          # mean, standard deviation (None for one flight)
+    tlx_weighted: tuple | None          # likewise; None where weights were not asked for
 
 
 def is_session(folder: Path) -> bool:
@@ -84,8 +85,19 @@ def read_flights(folder: Path) -> tuple[list[dict[str, Any]], int]:
             'duration_s': verdict.get('duration_s'), 'x_rate_m_s': end.get('x_rate_m_s'),
             'offset_m': end.get('offset_m'), 'lateral_rate_m_s': end.get('lateral_rate_m_s'),
             'delta_v_m_s': verdict.get('delta_v_m_s'),
-            'cooper_harper': ratings['cooper_harper']['rating'], 'tlx': ratings['tlx']['mean']})
+            'cooper_harper': ratings['cooper_harper']['rating'], 'tlx': ratings['tlx']['mean'],
+            'tlx_weighted': _weighted(ratings, file.parent.parent)})
     return rows, left_out
+
+
+def _weighted(ratings: dict[str, Any], volunteer: Path) -> float | None:
+    """Return the weighted workload of a flight; None where the pairs were not asked for."""
+    file = volunteer / WEIGHTS
+    asked = json.loads(file.read_text(encoding='utf-8')) if file.is_file() else {}
+    weights = asked.get(ratings['condition'])
+    if weights is None:
+        return None
+    return sum(weights[scale] * ratings['tlx'][scale] for scale in weights) / sum(weights.values())
 
 
 def conditions(flights: list[dict[str, Any]], names: list[str]) -> list[Condition]:
@@ -97,13 +109,20 @@ def conditions(flights: list[dict[str, Any]], names: list[str]) -> list[Conditio
             continue
         good = [f for f in rows if f['success']]
         ratings = [f['cooper_harper'] for f in rows]
-        load = [f['tlx'] for f in rows]
         made.append(Condition(
             name, len(rows), len(good), wilson(len(good), len(rows)), _mean(good, 'x_rate_m_s'),
             _mean(good, 'offset_m'), _mean(good, 'lateral_rate_m_s'),
             (median(ratings), min(ratings), max(ratings)),
-            (mean(load), stdev(load) if len(load) > 1 else None)))
+            _spread([f['tlx'] for f in rows]),
+            _spread([f['tlx_weighted'] for f in rows if f['tlx_weighted'] is not None])))
     return made
+
+
+def _spread(load: list[float]) -> tuple | None:
+    """Return mean and standard deviation of workloads; None where there is none."""
+    if not load:
+        return None
+    return mean(load), stdev(load) if len(load) > 1 else None
 
 
 def pairs(flights: list[dict[str, Any]], first: str, second: str) -> tuple[int, int, int, int]:
@@ -128,13 +147,18 @@ def _number(value: float | None, digits: int) -> str:
     return '–' if value is None else f'{value:.{digits}f}'
 
 
-def _row(c: Condition) -> str:
-    tlx = _number(c.tlx[0], 1) + ('' if c.tlx[1] is None else f' ± {c.tlx[1]:.1f}')
+def _row(c: Condition, weighted: bool) -> str:
     cells = (escape(c.name), str(c.flights),
              f'{c.successes / c.flights:.2f} [{c.interval[0]:.2f}, {c.interval[1]:.2f}]',
              _number(c.x_rate, 4), _number(c.offset, 4), _number(c.lateral_rate, 4),
-             f'{c.cooper_harper[0]:g} ({c.cooper_harper[1]}–{c.cooper_harper[2]})', tlx)
+             f'{c.cooper_harper[0]:g} ({c.cooper_harper[1]}–{c.cooper_harper[2]})', _load(c.tlx))
+    if weighted:
+        cells += (_load(c.tlx_weighted or (None, None)),)
     return '<tr>' + ''.join(f'<td>{cell}</td>' for cell in cells) + '</tr>'
+
+
+def _load(spread: tuple) -> str:
+    return _number(spread[0], 1) + ('' if spread[1] is None else f' ± {spread[1]:.1f}')
 
 
 def _page(session: dict[str, Any], table: list[Condition], flights: list[dict[str, Any]],
@@ -146,17 +170,21 @@ def _page(session: dict[str, Any], table: list[Condition], flights: list[dict[st
         compared = (f'<p>Pairs of one volunteer and one seed: both docked {both}, only '
                     f'{escape(table[0].name)} {first}, only {escape(table[1].name)} {second}, '
                     f'neither {neither}.</p>')
-    rows = ''.join(map(_row, table))
+    weighted = any(c.tlx_weighted is not None for c in table)
+    rows = ''.join(_row(c, weighted) for c in table)
+    more_head = '<th>NASA-TLX, weighted</th>' if weighted else ''
+    more_words = (' Weighted: by how often a volunteer chose each scale in the 15 pairs, asked once '
+                  'for each condition.' if weighted else '')
     return f'''<!doctype html><html lang="en"><head><meta charset="utf-8">
 <title>{escape(session['title'])}</title><style>{STYLE}</style></head><body>
 <header><h1>{escape(session['title'])}</h1><p>{len(people)} volunteers, {len(flights)} rated
 flights, training included; {left_out} flown and not rated.</p></header><main>
 <h2>Conditions</h2><table class="numbers"><tr><th>condition</th><th>flights</th>
 <th>success, 95 %</th><th>closing rate, m/s</th><th>offset, m</th><th>lateral rate, m/s</th>
-<th>Cooper-Harper</th><th>NASA-TLX</th></tr>{rows}</table>
+<th>Cooper-Harper</th><th>NASA-TLX</th>{more_head}</tr>{rows}</table>
 <p>Closing rate, offset and lateral rate are means over successes, as in Table 3 of the paper
 (manual .76, .2498, .1444, .0182; shared .91, .2501, .1347, .0186). Success with its Wilson
 interval, which takes flights of one volunteer as independent. Cooper-Harper: median (lowest to
-highest), 1 is best. NASA-TLX: mean of the six scales ± standard deviation, 0 to 100.</p>
+highest), 1 is best. NASA-TLX: mean of the six scales ± standard deviation, 0 to 100.{more_words}</p>
 {compared}<p>Every flight: <code>flights.csv</code>.</p></main></body></html>
 '''

@@ -51,6 +51,21 @@ def test_means_are_over_successes_as_in_the_paper(session):
     assert manual.tlx == (60.0, pytest.approx(200.0 ** 0.5))
 
 
+def test_workload_is_weighted_where_the_pairs_were_asked(session):
+    scales = {'mental': 80, 'physical': 20, 'temporal': 0, 'performance': 0, 'effort': 50,
+              'frustration': 0}
+    for file in session.glob('P01/*-shared/ratings.json'):
+        made = json.loads(file.read_text())
+        file.write_text(json.dumps({**made, 'tlx': {**scales, 'mean': 25.0}}))
+    (session / 'P01' / 'tlx_weights.json').write_text(json.dumps({'shared': {
+        'mental': 5, 'physical': 3, 'temporal': 1, 'performance': 2, 'effort': 4,
+        'frustration': 0}}))
+    manual, shared = conditions(read_flights(session)[0], ['manual', 'shared'])
+    assert manual.tlx_weighted is None
+    assert shared.tlx_weighted == (pytest.approx((5*80 + 3*20 + 4*50) / 15), 0.0)
+    assert '44.0 ± 0.0' in write_session_report(session).read_text()
+
+
 def test_flights_are_paired_by_volunteer_and_seed(session):
     assert pairs(read_flights(session)[0], 'manual', 'shared') == (1, 0, 1, 0)
 

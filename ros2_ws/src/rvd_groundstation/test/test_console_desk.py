@@ -1,12 +1,13 @@
 """The experiment desk: balanced orders, a volunteer's way through it, ratings beside the bag."""
 
 from collections import Counter
+from dataclasses import replace
 import json
 
 import pytest
 
 from rvd_groundstation.console.desk import (
-    cooper_harper_range, Desk, latin_square, plan, read_session, Session, TLX)
+    cooper_harper_range, Desk, latin_square, plan, read_session, Session, TLX, tlx_pairs)
 
 SESSION = Session('t', 5, {'manual': 'manual', 'shared': 'shared'}, 1, 2, 2, 0.0)
 GOOD = {'cooper_harper': {'controllable': True, 'adequate': True, 'satisfactory': False,
@@ -72,6 +73,62 @@ def test_a_session_goes_on_where_it_was_broken_off(tmp_path):
     assert again.view()['stage'] == 'ready'
 
 
+def test_every_pair_of_scales_is_asked_once_in_an_order_of_its_own():
+    first, second = tlx_pairs('5 P01 manual'), tlx_pairs('5 P02 manual')
+    for pairs in (first, second):
+        assert sorted(sorted(pair) for pair in pairs) == sorted(
+            sorted([a, b]) for i, a in enumerate(TLX) for b in TLX[i + 1:])
+    assert first != second and first == tlx_pairs('5 P01 manual')
+
+
+def weigh(desk, favourite):
+    """Choose the favourite wherever it is offered, else the first of the pair."""
+    chosen = [favourite if favourite in pair else pair[0] for pair in desk.view()['pairs']]
+    desk.do({'act': 'weigh', 'chosen': chosen})
+
+
+def test_weights_are_asked_once_for_each_condition(tmp_path):
+    desk = Desk(replace(SESSION, tlx='weighted', break_after=0), tmp_path)
+    desk.do({'act': 'begin', 'volunteer': 3})
+    stages = []
+    for _ in range(6):
+        flown(desk, tmp_path)
+        desk.do({'act': 'rate', **GOOD})
+        stages.append(desk.view()['stage'])
+        if stages[-1] == 'weigh':
+            weigh(desk, 'effort')
+    assert stages == ['weigh', 'ready', 'ready', 'weigh', 'ready', 'done']
+    made = json.loads((tmp_path / 'P03' / 'tlx_weights.json').read_text())
+    assert set(made) == {'manual', 'shared'}
+    for weights in made.values():
+        assert weights['effort'] == 5 and sum(weights.values()) == 15
+
+
+def test_pairs_that_were_broken_off_are_asked_again(tmp_path):
+    session = replace(SESSION, tlx='weighted')
+    desk = Desk(session, tmp_path)
+    desk.do({'act': 'begin', 'volunteer': 1})
+    flown(desk, tmp_path)
+    desk.do({'act': 'rate', **GOOD})
+    asked = desk.view()['pairs']
+    again = Desk(session, tmp_path)
+    again.do({'act': 'begin', 'volunteer': 1})
+    assert again.view()['stage'] == 'weigh' and again.view()['pairs'] == asked
+    weigh(again, 'mental')
+    assert again.view()['stage'] == 'ready' and again.view()['number'] == 2
+
+
+@pytest.mark.parametrize('chosen', [None, [], ['mental'] * 15, 'mental', [['mental']] * 15])
+def test_choices_that_are_not_of_the_pairs_are_refused(tmp_path, chosen):
+    desk = Desk(replace(SESSION, tlx='weighted'), tmp_path)
+    desk.do({'act': 'begin', 'volunteer': 1})
+    flown(desk, tmp_path)
+    desk.do({'act': 'rate', **GOOD})
+    with pytest.raises(ValueError, match='WEIGHTS'):
+        desk.do({'act': 'weigh', 'chosen': chosen})
+    assert desk.view()['stage'] == 'weigh'
+
+
 @pytest.mark.parametrize('change', [
     {'cooper_harper': None}, {'tlx': {}}, {'tlx': dict.fromkeys(TLX, 33)},
     {'cooper_harper': {**GOOD['cooper_harper'], 'rating': 2}},
@@ -103,7 +160,8 @@ def test_what_does_not_fit_the_stage_is_refused(tmp_path, act):
     ('- 1', 'hold'), ('flights: 3', 'conditions'),
     ('{conditions: {a: {mode: auto}}, fly: 1}', 'fly'),
     ('{conditions: {a: {mode: no}}}', 'mode'), ('{conditions: {"../x": {mode: auto}}}', 'plain'),
-    ('{conditions: {a: {mode: auto}}, flights: -1}', 'flights'), ('{', 'cannot read')])
+    ('{conditions: {a: {mode: auto}}, flights: -1}', 'flights'),
+    ('{conditions: {a: {mode: auto}}, tlx: full}', 'raw or weighted'), ('{', 'cannot read')])
 def test_a_session_file_that_is_none_is_refused_in_one_line(tmp_path, text, names):
     file = tmp_path / 's.yaml'
     file.write_text(text)

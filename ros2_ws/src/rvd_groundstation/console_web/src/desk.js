@@ -154,4 +154,22 @@ export class Desk {
       };
     });
   }
+
+  // Which of two scales counted more, for all pairs: the weights of NASA-TLX.
+  weigh(chosen = []) {
+    const { pairs } = this.state;
+    const choices = pairs[chosen.length].map((key) => `<button data-scale="${key}"><b>${D.tlx[key][0]}</b> ${D.tlx[key][1]}</button>`).join('');
+    const title = `${this.heading()} · NASA-TLX · ${fill(D.pair, { n: chosen.length + 1, of: pairs.length })}`;
+    this.frame(title, `<p>${D.weigh}</p><div class="choices">${choices}</div>`, `<button id="desk-back">${D.again}</button>`, (dialog) => {
+      dialog.querySelector('#desk-back').onclick = () => this.weigh();
+      for (const button of dialog.querySelectorAll('[data-scale]')) {
+        button.onclick = () => {
+          const now = [...chosen, button.dataset.scale];
+          if (now.length < pairs.length) this.weigh(now);
+          else this.ask('weigh', { chosen: now }, dialog);
+        };
+      }
+      dialog.querySelector('[data-scale]').focus();
+    });
+  }
 }

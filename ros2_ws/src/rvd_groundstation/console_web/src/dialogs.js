@@ -105,11 +105,15 @@ export function stickSettings(stick) {
   });
 }
 
+export function runsShown() {
+  return box().open && box().querySelector('#runs') !== null;
+}
+
 export function runList(rows, choose) {
   const lines = rows.map((row) => `<tr><td>${escape(row.name)}</td><td>${escape(row.mode || '')}</td>
     <td class="${row.success ? 'ok' : ''}">${row.success ? '✓' : '✗'} ${escape(S.verdict[row.reason] || row.reason || '')}</td>
     <td><button data-run="${escape(row.name)}">${S.review_open}</button></td></tr>`);
-  open(`<h3>${S.review_title}</h3><p class="dim">${S.review_truth}</p>
+  open(`<h3 id="runs">${S.review_title}</h3><p class="dim">${S.review_truth}</p>
     ${rows.length ? `<table>${lines.join('')}</table>` : `<p>${S.review_none}</p>`}
     <p id="review-error" class="alarm"></p><div class="buttons">${closeButton}</div>`,
   (dialog) => {

@@ -58,6 +58,7 @@ function take(message) {
   if (message.type === 'run' && !review.on) refreshRun();
   if (message.type === 'status') {
     if (message.phase === 'starting' && phase !== 'starting') dialogs.close();
+    if (message.phase === 'ended' && phase === 'closing' && dialogs.runsShown()) review.list();
     showStatus();
     desk.lease(message.lease === 'you');
   }

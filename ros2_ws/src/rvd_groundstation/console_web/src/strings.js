@@ -64,6 +64,7 @@ export const S = {
     condition: 'Control: {mode}', hint: 'Dock inside the green circle, slower than the limits. The clock starts when the graph is up.', fly: 'Start the flight',
     rest_title: 'A break', rest: 'Rest your eyes and hands.', go_on: 'Go on', done_title: 'Finished', done: 'Thank you, {who}. All flights are flown and rated.', next: 'Next volunteer',
     yes: 'Yes', no: 'No', again: 'Answer again', pick: 'Pick the sentence that fits best.', save: 'Save the ratings',
+    weigh: 'Which of the two contributed more to the workload of flying in this way?', pair: 'pair {n} of {of}',
     tree: {
       controllable: 'Was the craft controllable?',
       adequate: 'Was adequate performance (docking within the limits) attainable with a tolerable pilot workload?',
@@ -83,7 +84,7 @@ export const S = {
       effort: ['Effort', 'How hard did you have to work for your level of performance?', 'very low', 'very high'],
       frustration: ['Frustration', 'How insecure, discouraged, irritated, stressed and annoyed were you?', 'very low', 'very high'],
     },
-    errors: { VOLUNTEER: 'A whole number from 1 to 999, please.', STAGE: 'Not now.', RATING: 'The rating is incomplete.', TLX: 'Please set every scale.' },
+    errors: { VOLUNTEER: 'A whole number from 1 to 999, please.', STAGE: 'Not now.', RATING: 'The rating is incomplete.', TLX: 'Please set every scale.', WEIGHTS: 'Please choose in every pair.' },
   },
 };
 

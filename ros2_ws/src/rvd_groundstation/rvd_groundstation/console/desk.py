@@ -8,13 +8,16 @@ the same seed in every condition, so that conditions are compared in pairs.
 
 Ratings after each flight: Cooper-Harper (G. E. Cooper, R. P. Harper, NASA TN D-5153, 1969: the
 decision tree gives the range, the pilot picks in it) and NASA-TLX (S. G. Hart, L. E. Staveland,
-1988: six scales of 0 to 100 in steps of 5, unweighted mean). They are written beside the bag
-under a pseudonym; no name is ever asked.
+1988: six scales of 0 to 100 in steps of 5). Their mean is raw; with `tlx: weighted` a volunteer
+also says, once for each condition, which scale of each of the 15 pairs counted more, and the
+times a scale was chosen are its weight. All is written under a pseudonym, ratings beside the
+bag, weights in the volunteer's folder; no name is ever asked.
 """
 
 import json
 import time
 from dataclasses import dataclass
+from itertools import combinations
 from pathlib import Path
 from random import Random
 from typing import Any
@@ -24,9 +27,10 @@ import yaml
 from rvd_dynamics.mission import MODES
 
 TLX = ('mental', 'physical', 'temporal', 'performance', 'effort', 'frustration')
-KEYS = ('title', 'seed', 'conditions', 'training', 'flights', 'break_after', 'break_s')
+TLX_KINDS = ('raw', 'weighted')
+KEYS = ('title', 'seed', 'conditions', 'training', 'flights', 'break_after', 'break_s', 'tlx')
 MAX_VOLUNTEERS = 999
-RATINGS = 'ratings.json'
+RATINGS, WEIGHTS = 'ratings.json', 'tlx_weights.json'
 
 
 @dataclass(frozen=True)
@@ -40,6 +44,7 @@ class Session:
     flights: int                        # per condition
     break_after: int                    # flights between two breaks; 0: none
     break_s: float                      # [s] wall time
+    tlx: str = 'raw'                    # one of TLX_KINDS
 
 
 @dataclass(frozen=True)
@@ -86,11 +91,14 @@ def read_session(path: Path) -> Session:
             raise ValueError(f'session {path}: condition {name!r} must be a plain word with '
                              f'mode: {", ".join(MODES)}')
         modes[str(name)] = mode
+    tlx = tree.get('tlx', 'raw')
+    if tlx not in TLX_KINDS:
+        raise ValueError(f'session {path}: tlx must be {" or ".join(TLX_KINDS)}, got {tlx!r}')
     return Session(str(tree.get('title', path.stem)), _whole(path, tree, 'seed', 0, 1 << 30),
                    modes, _whole(path, tree, 'training', 1, 50),
                    _whole(path, tree, 'flights', 10, 200),
                    _whole(path, tree, 'break_after', 10, 1000),
-                   float(_whole(path, tree, 'break_s', 60, 3600)))
+                   float(_whole(path, tree, 'break_s', 60, 3600)), tlx)
 
 
 def _whole(path: Path, tree: dict, key: str, default: int, most: int) -> int:
@@ -143,11 +151,19 @@ def cooper_harper_range(controllable: bool, adequate: bool, satisfactory: bool
     return (1, 3) if satisfactory else (4, 6)
 
 
+def tlx_pairs(key: str) -> list[list[str]]:
+    """Return the 15 pairs of scales in an order, and each pair in one, that hang on `key`."""
+    rng = Random(key)
+    shown = [rng.sample(pair, 2) for pair in combinations(TLX, 2)]
+    rng.shuffle(shown)
+    return shown
+
+
 class Desk:
     """
     Where a session stands. `do` takes the requests of the page, `flown` the verdicts.
 
-    Stages: door (which volunteer?), ready, flying, rate, rest, done.
+    Stages: door (which volunteer?), ready, flying, rate, weigh, rest, done.
     """
 
     def __init__(self, session: Session, folder: Path) -> None:
@@ -162,7 +178,7 @@ class Desk:
         self._rest_until = 0.0
         folder.mkdir(parents=True, exist_ok=True)
         (folder / 'session.json').write_text(json.dumps(
-            {**session.__dict__, 'tlx': TLX}, indent=2) + '\n', encoding='utf-8')
+            {**session.__dict__, 'scales': TLX}, indent=2) + '\n', encoding='utf-8')
 
     @property
     def pseudonym(self) -> str:
@@ -175,10 +191,12 @@ class Desk:
         if self._stage != 'door':
             made.update({'who': self.pseudonym, 'of': len(self._plan),
                          'number': min(self._at + 1, len(self._plan))})
-        if self._stage in ('ready', 'flying', 'rate'):
+        if self._stage in ('ready', 'flying', 'rate', 'weigh'):
             flight = self._plan[self._at]
             made.update({'condition': flight.condition, 'mode': flight.mode,
                          'training': flight.training, 'reason': self._reason})
+        if self._stage == 'weigh':
+            made['pairs'] = self._pairs()
         if self._stage == 'rest':
             made['rest_s'] = max(0.0, self._rest_until - time.monotonic())
         return made
@@ -199,6 +217,8 @@ class Desk:
             return self._order()
         elif act == 'rate' and self._stage == 'rate':
             self._rate(content)
+        elif act == 'weigh' and self._stage == 'weigh':
+            self._weigh(content)
         elif act == 'go_on' and self._stage == 'rest':
             self._stage = 'ready'
         elif act == 'leave' and self._stage != 'flying':
@@ -217,6 +237,8 @@ class Desk:
         self._at = next((i for i, f in enumerate(self._plan) if f.folder not in rated),
                         len(self._plan))
         self._stage = 'ready' if self._at < len(self._plan) else 'done'
+        if self._at > 0 and self._has_to_weigh(self._at - 1):
+            self._at, self._stage = self._at - 1, 'weigh'       # broken off before its pairs
 
     def _order(self) -> dict[str, Any]:
         flight = self._plan[self._at]
@@ -254,7 +276,38 @@ class Desk:
             raise ValueError('TLX')
         self._write(dict(zip(('controllable', 'adequate', 'satisfactory'), answers)) | {
             'rating': rating}, dict(zip(TLX, values)))
+        if self._has_to_weigh(self._at):
+            self._stage = 'weigh'
+        else:
+            self._go_on()
+
+    @property
+    def _condition(self) -> str:
+        return self._plan[self._at].condition
+
+    def _has_to_weigh(self, flight: int) -> bool:
+        """Say whether the pairs are still to be asked for the condition of a flight."""
+        return (self.session.tlx == 'weighted'
+                and self._plan[flight].condition not in self._weights())
+
+    def _pairs(self) -> list[list[str]]:
+        return tlx_pairs(f'{self.session.seed} {self.pseudonym} {self._condition}')
+
+    def _weigh(self, content: dict[str, Any]) -> None:
+        """Take which scale of each pair counted more; the count of each is its weight."""
+        chosen, pairs = content.get('chosen'), self._pairs()
+        if not isinstance(chosen, list) or len(chosen) != len(pairs) or not all(
+                choice in pair for choice, pair in zip(chosen, pairs)):
+            raise ValueError('WEIGHTS')
+        weights = {scale: chosen.count(scale) for scale in TLX}
+        _write_whole(self._folder / self.pseudonym / WEIGHTS,
+                     {**self._weights(), self._condition: weights})
         self._go_on()
+
+    def _weights(self) -> dict[str, dict[str, int]]:
+        """Return the weights of this volunteer by condition, as far as they were asked."""
+        file = self._folder / self.pseudonym / WEIGHTS
+        return json.loads(file.read_text(encoding='utf-8')) if file.is_file() else {}
 
     def _write(self, harper: dict, tlx: dict) -> None:
         flight = self._plan[self._at]
@@ -262,10 +315,7 @@ class Desk:
                 'number': flight.number, 'condition': flight.condition, 'mode': flight.mode,
                 'training': flight.training, 'seed': flight.seed, 'reason': self._reason,
                 'cooper_harper': harper, 'tlx': {**tlx, 'mean': sum(tlx.values()) / len(tlx)}}
-        file = self._folder / self._attempt / RATINGS
-        draft = file.with_suffix('.tmp')
-        draft.write_text(json.dumps(made, indent=2) + '\n', encoding='utf-8')
-        draft.replace(file)
+        _write_whole(self._folder / self._attempt / RATINGS, made)
 
     def _go_on(self) -> None:
         self._at += 1
@@ -276,3 +326,10 @@ class Desk:
             self._rest_until = time.monotonic() + self.session.break_s
         else:
             self._stage = 'ready'
+
+
+def _write_whole(file: Path, content: dict) -> None:
+    """Write a file that is there whole or not at all."""
+    draft = file.with_suffix('.tmp')
+    draft.write_text(json.dumps(content, indent=2) + '\n', encoding='utf-8')
+    draft.replace(file)

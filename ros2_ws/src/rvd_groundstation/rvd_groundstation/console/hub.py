@@ -65,7 +65,7 @@ class Hub:
         self.desk = desk
         self.feed: Feed | None = None
         self.run_name: str | None = None        # folder name of the run under way
-        self.phase = 'idle'                     # idle, starting, flying, ended
+        self.phase = 'idle'                     # idle, starting, flying, closing, ended
         self.note = ''
         self.verdict: dict | None = None
         self.pilot_lost = False
@@ -242,8 +242,8 @@ class Hub:
         """Let the run be over."""
         self._drain()
         self._bridge = None
-        if self.phase == 'flying':
-            self.phase = 'ended'
+        if self.phase == 'flying':              # who starts runs still writes its folder
+            self.phase = 'ended' if self._ask is None else 'closing'
         self._to_pilot()
         self._to_watchers()
         self._status()

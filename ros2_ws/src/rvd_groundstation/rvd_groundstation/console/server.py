@@ -180,7 +180,7 @@ class Server:
         return response
 
     def _under_way(self, name: str) -> bool:
-        return self.hub.phase in ('starting', 'flying') and name == self.hub.run_name
+        return self.hub.phase in ('starting', 'flying', 'closing') and name == self.hub.run_name
 
     # -- sockets --------------------------------------------------------------------------
 
