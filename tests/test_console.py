@@ -108,6 +108,8 @@ def test_a_recorded_run_is_reviewed_with_its_truth(flown, console, browser):
     there = next(m for m in truth if m.step == last['k'])
     assert last['truth'][:3] == pytest.approx(
         [there.position.x, there.position.y, there.position.z], abs=1e-5)
+    sent = [f['pilot']['lv'] for f in page.evaluate('rvd.review.run.frames') if f.get('pilot')]
+    assert any(any(levels) for levels in sent)                          # what the stick said
     page.evaluate('rvd.review.go(40)')
     page.wait_for_timeout(300)
     assert page.evaluate("rvd.scene.covers('truth')") > 10            # it is drawn

@@ -22,6 +22,7 @@ import numpy as np
 from rvd_campaign.bag import mission_of
 from rvd_dynamics.link.frame import Downlink, unpack_downlink
 from rvd_dynamics.recording.mcap_file import records
+from rvd_dynamics.spacecraft.levels import stick_levels
 from rvd_groundstation.console.feed import Feed
 from rvd_groundstation.console.protocol import encode
 
@@ -29,7 +30,7 @@ MOST_FRAMES = 900
 NS_PER_S = 1_000_000_000
 TOPICS = ('/run/scenario', '/truth/relative_state', '/ground/telemetry', '/ground/estimate',
           '/ground/prediction', '/ground/prediction_score', '/ground/auto_command',
-          '/ground/command', '/link/back/status', '/run/events', '/run/verdict')
+          '/ground/command', '/joy', '/link/back/status', '/run/events', '/run/verdict')
 LINK = ('sent', 'delivered', 'late', 'lost', 'outage', 'corrupted', 'in_flight', 'queued',
         'delay_p50', 'delay_p99', 'delay_max')
 
@@ -89,7 +90,7 @@ class Replay:
             '/ground/telemetry': self._telemetry, '/ground/estimate': self._estimate,
             '/ground/prediction': self._prediction, '/ground/prediction_score': self._score,
             '/ground/auto_command': self._auto, '/ground/command': self._command,
-            '/link/back/status': self._link, '/truth/relative_state': self._on_truth,
+            '/joy': self._joy, '/link/back/status': self._link, '/truth/relative_state': self._on_truth,
             '/run/events': self._event, '/run/verdict': self._on_verdict}
 
     def take(self, topic: str, message: Any) -> None:
@@ -141,6 +142,10 @@ class Replay:
 
     def _auto(self, m: Any) -> None:
         self._feed.automatic(list(m.levels), m.valid)
+
+    def _joy(self, m: Any) -> None:
+        levels, valid = stick_levels(m.axes, m.buttons, self._feed.mission.stick)
+        self._feed.pilot(levels.tolist(), valid)
 
     def _link(self, m: Any) -> None:
         self._feed.link({name: getattr(m, name) for name in LINK})

@@ -165,6 +165,12 @@ export function clock(id, seconds, age, stale) {
   box.parentElement.classList.toggle('stale', Boolean(stale));
 }
 
+export function errorRms(score) {
+  const rms = score?.rms;
+  say($('error-rms'), rms && rms[0] !== null ? fill(S.rms, { p: number(100 * Math.hypot(rms[0], rms[1], rms[2]), 1),
+    v: number(1000 * Math.hypot(rms[3], rms[4], rms[5]), 1) }) : '');
+}
+
 // Round trip: what the loop should take, what the last acknowledged command took.
 export function dial(canvas, run, rtt, transit) {
   const { pen, w, h, rem } = begin(canvas);

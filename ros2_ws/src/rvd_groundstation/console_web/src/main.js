@@ -4,7 +4,7 @@ import { say } from './canvas.js';
 import { Charts } from './charts.js';
 import { Desk } from './desk.js';
 import * as dialogs from './dialogs.js';
-import { Motion, Thrust, bullseye, clock, dial, linkCounts, number, reticle } from './instruments.js';
+import { Motion, Thrust, bullseye, clock, dial, errorRms, linkCounts, number, reticle } from './instruments.js';
 import { counts, ladder } from './ladder.js';
 import { Link } from './link.js';
 import { Review } from './review.js';
@@ -266,9 +266,7 @@ function showFrame() {
   if (performance.now() - chartsAt > 250) {
     chartsAt = performance.now();
     charts.show(store.errors);
-    const rms = frame.score?.rms;
-    say($('error-rms'), rms && rms[0] !== null ? fill(S.rms, { p: number(100 * Math.hypot(rms[0], rms[1], rms[2]), 1),
-      v: number(1000 * Math.hypot(rms[3], rms[4], rms[5]), 1) }) : '');
+    errorRms(frame.score);
   }
 }
 

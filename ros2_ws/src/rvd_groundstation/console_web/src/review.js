@@ -1,7 +1,7 @@
 // Review: a finished run in the same page, scrubbed, with the truth beside what was predicted.
 
 import * as dialogs from './dialogs.js';
-import { bullseye, clock, dial, linkCounts, number } from './instruments.js';
+import { bullseye, clock, dial, errorRms, linkCounts, number } from './instruments.js';
 import { counts, ladder } from './ladder.js';
 import { S, fill } from './strings.js';
 
@@ -152,6 +152,7 @@ export class Review {
     if (this.fresh) {
       this.fresh = false;
       this.charts.show(this.errors, frame.t);
+      errorRms(frame.score);
     }
   }
 

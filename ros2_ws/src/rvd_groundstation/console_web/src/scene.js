@@ -225,6 +225,7 @@ export class Scene {
       if (!wanted.has(text)) { mark.remove(); this.marks.delete(text); }
     }
     lens.updateMatrixWorld();
+    const placed = []; // names of craft that are close together stand above each other
     for (const [text, { at, kind, drop }] of wanted) {
       let mark = this.marks.get(text);
       if (!mark) {
@@ -237,8 +238,15 @@ export class Scene {
       const p = new THREE.Vector3(at[0], at[1], at[2]).project(lens);
       const inside = Math.abs(p.x) < 0.98 && Math.abs(p.y) < 0.96 && p.z < 1;
       mark.style.display = inside ? '' : 'none';
-      mark.style.left = `${Math.round(((p.x + 1) / 2) * rect.width)}px`;
-      mark.style.top = `${Math.round(((1 - p.y) / 2) * rect.height) + (drop ? 14 : 0)}px`;
+      const left = Math.round(((p.x + 1) / 2) * rect.width);
+      let top = Math.round(((1 - p.y) / 2) * rect.height) + (drop ? 14 : 0);
+      if (kind) {
+        const near = ([x, y]) => Math.abs(x - left) < 5 * mark.offsetHeight && Math.abs(y - top) < mark.offsetHeight;
+        while (placed.some(near)) top -= 2;
+        placed.push([left, top]);
+      }
+      mark.style.left = `${left}px`;
+      mark.style.top = `${top}px`;
     }
   }
 
