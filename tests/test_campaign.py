@@ -189,7 +189,9 @@ REFUSED = {
     'no address': (('small.yaml', '--backend', 'dask', '--scheduler', 'nowhere'),
                    "is tcp://HOST:PORT, got 'nowhere'"),
     'no scheduler there': (('small.yaml', '--backend', 'dask', '--scheduler', 'tcp://127.0.0.1:9'),
-                           'no Dask scheduler at tcp://127.0.0.1:9: '),
+                           'no dask cluster at tcp://127.0.0.1:9: '),
+    'ray that is not installed': (('small.yaml', '--backend', 'ray', '--scheduler', 'tcp://h:1'),
+                                  'needs Ray here and on the cluster'),
     'no terabytes': (('small.yaml', '--runs', '9999999'), 'the limit is 10,000,000'),
 }
 

@@ -113,9 +113,9 @@ def _add_campaign(commands: argparse._SubParsersAction) -> None:
     campaign.add_argument('--out', metavar='DIR',
                           help='folder, must not exist (default: runs/<time>-<campaign>)')
     campaign.add_argument('--resume', metavar='DIR', help='go on in the folder of a campaign')
-    campaign.add_argument('--backend', choices=('local', 'dask'), default='local',
-                          help='processes of this machine, or a Dask cluster')
-    campaign.add_argument('--scheduler', metavar='ADDRESS', help='of the Dask cluster')
+    campaign.add_argument('--backend', choices=('local', 'dask', 'ray'), default='local',
+                          help='processes of this machine, or a Dask or Ray cluster')
+    campaign.add_argument('--scheduler', metavar='ADDRESS', help='of the cluster: tcp://HOST:PORT')
     campaign.set_defaults(run=_campaign)
 
 

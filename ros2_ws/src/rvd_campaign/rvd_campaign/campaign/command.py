@@ -70,10 +70,10 @@ def _workers(args: argparse.Namespace) -> Workers:
         raise CannotRun(f'--workers must be 1 to {MAX_WORKERS}, got {count}')
     if args.batch is not None and args.batch < 1:
         raise CannotRun(f'--batch must be at least 1, got {args.batch}')
-    if (args.backend == 'dask') != bool(args.scheduler):
-        raise CannotRun('--backend dask and --scheduler ADDRESS need each other')
+    if (args.backend != 'local') != bool(args.scheduler):
+        raise CannotRun('--backend dask or ray and --scheduler ADDRESS need each other')
     if args.scheduler:
-        engine.check_scheduler(args.scheduler)
+        engine.check_scheduler(args.backend, args.scheduler)
     return Workers(count, args.backend, args.scheduler or '', args.batch or 0)
 
 

@@ -6,13 +6,15 @@ Folder  campaign.json    what is flown, every default resolved, and the fingerpr
         results.parquet, summary.json, report.html      made when all runs are there
 Split   a run depends on (seed, run, purpose) and its condition alone, so that neither workers
         nor batch nor resume can change it; the hash of the result table says so.
-Workers joblib's: processes of this machine (loky), or a Dask cluster. Only this process writes.
+Workers joblib's: processes of this machine (loky), or a Dask or Ray cluster. Only this process
+        writes.
 """
 
 import errno
 import fcntl
 import hashlib
 import importlib.metadata
+import importlib.util
 import itertools
 import json
 import os
@@ -54,8 +56,8 @@ class Workers:
     """Who flies."""
 
     count: int = 1
-    backend: str = 'local'              # local or dask
-    scheduler: str = ''                 # of dask: its address
+    backend: str = 'local'              # local, dask or ray
+    scheduler: str = ''                 # of a cluster: its address
     batch: int = 0                      # runs that fly together; 0: what suits the memory
 
 
@@ -211,11 +213,17 @@ def _flown(campaign: Campaign, todo: list[Stretch], workers: Workers
            ) -> Iterator[tuple[Stretch, Table, float]]:
     """Yield stretches as they are finished, in any order."""
     code, parent = (code_hash(), *versions().values()), os.getpid()
-    with _backend(workers):
+    work = (joblib.delayed(fly_together)(task, code, parent) for task in tasks(campaign, todo))
+    with BACKENDS[workers.backend](workers.scheduler):
+        if workers.backend == 'ray':            # its joblib backend hands nothing out early
+            pool = joblib.Parallel(n_jobs=-1)
+            while handful := list(itertools.islice(work, 4 * joblib.effective_n_jobs(-1))):
+                for finished in pool(handful):
+                    yield from finished
+            return
         pool = joblib.Parallel(n_jobs=workers.count, return_as='generator_unordered',
                                batch_size=1, pre_dispatch='2*n_jobs')
-        flown = pool(joblib.delayed(fly_together)(task, code, parent)
-                     for task in tasks(campaign, todo))
+        flown = pool(work)
         try:
             for finished in flown:
                 yield from finished
@@ -223,30 +231,55 @@ def _flown(campaign: Campaign, todo: list[Stretch], workers: Workers
             flown.close()                       # ends the workers when we leave early
 
 
-def check_scheduler(address: str) -> None:
-    """Refuse an address at which nobody listens, before anything is begun."""
+def check_scheduler(backend: str, address: str) -> None:
+    """Refuse a cluster that cannot be reached, before anything is begun."""
     match = re.fullmatch(r'(?:(?:tcp|tls)://)?(.+):(\d{1,5})', address)
     if not match:
-        raise CampaignError(f'the address of a Dask scheduler is tcp://HOST:PORT, got {address!r}')
+        raise CampaignError(f'the address of a {backend} cluster is tcp://HOST:PORT, '
+                            f'got {address!r}')
+    if backend == 'ray' and importlib.util.find_spec('ray') is None:
+        raise CampaignError('--backend ray needs Ray here and on the cluster: '
+                            './rvd shell pip install ray')
     try:
         socket.create_connection((match[1].strip('[]'), int(match[2])), timeout=10).close()
     except (OSError, OverflowError) as error:
-        raise CampaignError(f'no Dask scheduler at {address}: {error}') from None
+        raise CampaignError(f'no {backend} cluster at {address}: {error}') from None
 
 
 @contextmanager
-def _backend(workers: Workers) -> Iterator[None]:
-    if workers.backend == 'local':
-        with joblib.parallel_config('loky', inner_max_num_threads=1):
-            yield
-        return
+def _local(_: str) -> Iterator[None]:
+    with joblib.parallel_config('loky', inner_max_num_threads=1):
+        yield
+
+
+@contextmanager
+def _dask(address: str) -> Iterator[None]:
     from distributed import Client
     try:
-        client = Client(workers.scheduler, timeout=10, set_as_default=False)
+        client = Client(address, timeout=10, set_as_default=False)
     except (OSError, ValueError) as error:
-        raise CampaignError(f'no Dask scheduler at {workers.scheduler!r}: {error}') from None
+        raise CampaignError(f'no dask cluster at {address}: {error}') from None
     with client, joblib.parallel_config('dask', client=client):
         yield
+
+
+@contextmanager
+def _ray(address: str) -> Iterator[None]:
+    import ray
+    from ray.util.joblib import register_ray
+    try:
+        ray.init(address=address.split('://')[-1], log_to_driver=False, logging_level='ERROR')
+    except (ConnectionError, ValueError, RuntimeError) as error:
+        raise CampaignError(f'no ray cluster at {address}: {error}') from None
+    try:
+        register_ray()
+        with joblib.parallel_config('ray'):
+            yield
+    finally:
+        ray.shutdown()
+
+
+BACKENDS = {'local': _local, 'dask': _dask, 'ray': _ray}
 
 
 Task = list[tuple[Scenario, Stretch]]           # of the same runs, with the same draws
