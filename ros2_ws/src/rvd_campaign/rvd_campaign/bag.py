@@ -19,7 +19,7 @@ import yaml
 
 from rvd_campaign.verdict import LINK_COUNTS
 from rvd_dynamics.mission import Mission
-from rvd_dynamics.params import build, leaves
+from rvd_dynamics.params import build, dotted, leaves
 from rvd_dynamics.recording.mcap_file import records
 from rvd_dynamics.recording.steps import step_reader
 from rvd_dynamics.ros import graph
@@ -158,19 +158,11 @@ def mission_of(scenario: str) -> Mission:
     """Return the shared settings of a scenario text, passing over what this version lacks."""
     try:
         tree = yaml.safe_load(scenario)
-        given = _dotted(tree['/**']['ros__parameters'])
+        given = dotted(tree['/**']['ros__parameters'])
         known = {key for key, _ in leaves(Mission)}
         return build(Mission, {key: value for key, value in given.items() if key in known})
     except (yaml.YAMLError, ValueError, KeyError, TypeError, AttributeError):
         return Mission()
-
-
-def _dotted(tree: dict, prefix: str = '') -> dict[str, Any]:
-    flat = {}
-    for key, value in tree.items():
-        flat.update(_dotted(value, f'{prefix}{key}.') if isinstance(value, dict)
-                    else {f'{prefix}{key}': value})
-    return flat
 
 
 STATES = {'truth': '/truth/relative_state', 'measurement': '/onboard/measurement',

@@ -17,7 +17,7 @@ from rvd_campaign.loop import LoopSettings
 from rvd_dynamics.guard.guard import GuardParams
 from rvd_dynamics.link.models import LinkParams
 from rvd_dynamics.mission import Mission
-from rvd_dynamics.params import build, flatten, leaves
+from rvd_dynamics.params import build, dotted, flatten, leaves
 from rvd_dynamics.recording.params import MarkerParams, RecorderParams
 from rvd_dynamics.world import DynamicsParams, SensorParams
 from rvd_groundstation.operators.pilot import PilotParams
@@ -227,19 +227,20 @@ def nearest(word: str, known: Any) -> str:
     return f'; did you mean {close[0]}?' if close else f'; known: {", ".join(known)}'
 
 
-def flat_keys(tree: dict, what: str, prefix: str = '', depth: int = 0) -> dict[str, Any]:
-    """Return nested keys as dotted ones."""
+def flat_keys(tree: dict, what: str) -> dict[str, Any]:
+    """Return nested keys as dotted ones; refuse what cannot be a tree of parameters."""
+    _check_tree(tree, what)
+    return dotted(tree)
+
+
+def _check_tree(tree: dict, what: str, depth: int = 0) -> None:
     if depth > MAX_DEPTH:
         raise ScenarioError(f'{what}: nested deeper than {MAX_DEPTH}')
-    flat = {}
     for key, value in tree.items():
         if not isinstance(key, str):
-            raise ScenarioError(f'{what}: key {prefix}{key} is not text')
+            raise ScenarioError(f'{what}: key {key} is not text')
         if isinstance(value, dict):
-            flat.update(flat_keys(value, what, f'{prefix}{key}.', depth + 1))
-        else:
-            flat[prefix + key] = value
-    return flat
+            _check_tree(value, what, depth + 1)
 
 
 def _nested(flat: dict[str, Any]) -> dict[str, Any]:

@@ -128,6 +128,17 @@ def flatten(settings: Any, prefix: str = '') -> dict[str, Any]:
     return flat
 
 
+def dotted(tree: dict[str, Any], prefix: str = '') -> dict[str, Any]:
+    """Return the nested keys of a parameter file as dotted ones, as ROS names them."""
+    flat: dict[str, Any] = {}
+    for key, value in tree.items():
+        if isinstance(value, dict):
+            flat.update(dotted(value, f'{prefix}{key}.'))
+        else:
+            flat[f'{prefix}{key}'] = value
+    return flat
+
+
 def require(condition: bool, name: str, meaning: str, value: Any) -> None:
     """Refuse an impossible setting with its name and value (`condition` false also for NaN)."""
     if not condition:

@@ -43,7 +43,7 @@ class RelativeSensor(StepNode):
         now = step * self.mission.step_ns
         refusal = 0
         if command is not None:
-            refusal = command.reason if not command.valid else 0
+            refusal = 0 if command.sequence else command.reason     # none was accepted: why
             self._accepted = max(self._accepted, command.sequence)
         self._downlink.publish(LinkFrame(
             step=step, sequence=step + 1, sent=now, arrived=-1, released=-1,

@@ -10,7 +10,7 @@ from rcl_interfaces.msg import ParameterDescriptor
 from rclpy.exceptions import InvalidParameterTypeException
 from rclpy.node import Node
 
-from rvd_dynamics.params import build, default_of, leaves
+from rvd_dynamics.params import build, default_of, dotted, leaves
 
 
 def declare(node: Node, settings: type, **wiring: Any) -> Any:
@@ -52,16 +52,6 @@ def settings_of(name: str, settings: type) -> Any:
             with open(path, encoding='utf-8') as file:
                 tree = yaml.safe_load(file) or {}
             for section in (name, f'/{name}'):
-                given.update(_dotted((tree.get(section) or {}).get('ros__parameters') or {}))
+                given.update(dotted((tree.get(section) or {}).get('ros__parameters') or {}))
     known = {key for key, _ in leaves(settings)}
     return build(settings, {key: value for key, value in given.items() if key in known})
-
-
-def _dotted(tree: dict[str, Any], prefix: str = '') -> dict[str, Any]:
-    flat: dict[str, Any] = {}
-    for key, value in tree.items():
-        if isinstance(value, dict):
-            flat.update(_dotted(value, f'{prefix}{key}.'))
-        else:
-            flat[f'{prefix}{key}'] = value
-    return flat
