@@ -22,7 +22,7 @@ MIN_RUNS_PER_CORE_S = 3000
 MIN_RATIO = 50
 MAX_TABLE_S = 60.0
 MIN_SPEED_UP = 1.8              # on two processes: near-linear
-BATCH = 2000
+BATCH = 3000                    # as a campaign flies them
 ONE_BY_ONE = 10                 # runs of the slow way that are timed
 TABLE_RUNS = 10_000
 

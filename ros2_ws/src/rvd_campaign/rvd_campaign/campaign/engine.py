@@ -41,7 +41,7 @@ from rvd_campaign.loop import draw, draws_key, fly
 from rvd_campaign.scenario import Scenario
 
 KEPT, PARTS, RESULTS = 'campaign.json', 'parts', 'results.parquet'
-BATCH_STEPS = 800_000           # runs times steps that fly together: 110 MB of draws, full speed
+BATCH_STEPS = 1_200_000         # runs times steps that fly together: 170 MB of draws, full speed
 SMALL_BATCH = 250               # runs; fewer are not parted further to give each worker some
 TOGETHER = 4                    # conditions that share the draws of their runs, at most
 SPARE_BYTES = 8 << 20           # of disk, for summary and report

@@ -102,7 +102,10 @@ def draw_plan(params: LinkParams, rng: np.random.Generator, mission_steps: int, 
     require(mission_steps >= 1, 'mission_steps', 'be positive', mission_steps)
     require(step_ns >= 1, 'step_ns', 'be positive', step_ns)
     require(hold_steps >= 0, 'hold_steps', 'not be negative', hold_steps)
-    uniforms, transits = _drawn(params, rng, mission_steps, hold_steps * step_ns)
+    uniforms = _uniforms(params.has_faults, rng, mission_steps)
+    if uniforms is None:
+        uniforms = np.ones((mission_steps, UNIFORMS_PER_STEP))
+    transits = params.delay_model.delays(rng, (mission_steps, 2), hold_steps * step_ns / 1e9)
     return _plan(params, np.asfortranarray(uniforms), np.asfortranarray(transits),  # for speed
                  step_ns, hold_steps)
 
@@ -116,31 +119,34 @@ def intact_of_runs(params: LinkParams, rngs: Iterable[np.random.Generator], runs
     the runs of one step lie together, as a loop over steps reads them.
     """
     intact = np.empty((mission_steps, runs), dtype=bool)
-    rngs = iter(rngs)
+    rngs, faults, hold_s = iter(rngs), params.has_faults, hold_steps * step_ns / 1e9
     for first in range(0, runs, HANDFUL):       # so many that their plans stay near the processor
         count = min(HANDFUL, runs - first)
-        uniforms = np.ones((UNIFORMS_PER_STEP, count if params.has_faults else 1, mission_steps))
+        uniforms = np.ones((UNIFORMS_PER_STEP, count if faults else 1, mission_steps))
         transits = np.empty((2, count, mission_steps))
         for i, rng in enumerate(islice(rngs, count)):
-            drawn, transits.T[:, i] = _drawn(params, rng, mission_steps, hold_steps * step_ns)
-            if params.has_faults:
+            drawn = _uniforms(faults, rng, mission_steps)
+            if drawn is not None:
                 uniforms.T[:, i] = drawn
+            transits.T[:, i] = params.delay_model.delays(rng, (mission_steps, 2), hold_s)
         plan = _plan(params, np.moveaxis(uniforms, 0, -1), np.moveaxis(transits, 0, -1),
                      step_ns, hold_steps)
         intact[:, first:first + count] = plan.intact_in_time.T
     return intact.T
 
 
-def _drawn(params: LinkParams, rng: np.random.Generator, steps: int, hold_ns: int
-           ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Draw the uniforms (steps, 9) and transits (steps, 2) [s] of one run."""
-    if params.has_faults:
-        uniforms = rng.random((steps, UNIFORMS_PER_STEP))
-        rng.bit_generator.advance(FAR_AHEAD - uniforms.size)    # to one place, whatever the length
-    else:
-        uniforms = np.ones((steps, UNIFORMS_PER_STEP))          # draws are below 1: none strikes
+def _uniforms(faults: bool, rng: np.random.Generator, steps: int) -> NDArray[np.float64] | None:
+    """
+    Draw the uniforms (steps, 9) of one run and go on to where the transits begin.
+
+    None without faults: they are as good as 1, which draws never reach, so that none strikes.
+    """
+    if not faults:
         rng.bit_generator.advance(FAR_AHEAD)
-    return uniforms, params.delay_model.delays(rng, (steps, 2), hold_ns / 1e9)
+        return None
+    uniforms = rng.random((steps, UNIFORMS_PER_STEP))
+    rng.bit_generator.advance(FAR_AHEAD - uniforms.size)        # to one place, whatever the length
+    return uniforms
 
 
 def _plan(params: LinkParams, uniforms: NDArray, transits: NDArray, step_ns: int,
