@@ -277,6 +277,24 @@ def test_a_run_under_way_is_not_given_out_for_review(tmp_path):
     run(work())
 
 
+def test_a_run_is_reviewed_only_when_its_folder_is_whole(tmp_path):
+    (tmp_path / 'run').mkdir()
+    (tmp_path / 'run' / 'verdict.json').write_text('{}')
+
+    async def work():
+        async with House(tmp_path, ask=lambda wish: None) as house:
+            bearer = {'Authorization': f'Bearer {house.server.access.token}'}
+
+            async def names():
+                async with house.session.get(house.base + '/api/runs', headers=bearer) as answer:
+                    return [row['name'] for row in await answer.json()]
+            house.hub.end()                     # the graph is down, its folder is being written
+            assert house.hub.phase == 'closing' and await names() == []
+            house.hub.told('ended', run='run')
+            assert await names() == ['run']
+    run(work())
+
+
 def test_without_anyone_to_start_runs_a_wish_for_one_is_refused():
     async def work():
         async with House() as house, house.socket() as pilot:
