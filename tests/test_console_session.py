@@ -69,7 +69,7 @@ def test_a_volunteer_is_led_through_a_session_and_the_report_counts_it(tmp_path,
                 if flight == 1:
                     until(page, "document.querySelector('#rest-left') !== null")
                     page.click('#desk-go')
-            until(page, "document.querySelector('#dialog').textContent.includes('P07')")
+            until(page, "document.querySelector('#dialog').textContent.includes('Thank you')")
             assert page.problems == []
         finally:
             console.close()

@@ -37,6 +37,8 @@ def flown(desk, folder, reason='docked'):
     order = desk.do({'act': 'fly'})
     (folder / order['out']).mkdir(parents=True)
     desk.flown({'reason': reason})
+    assert desk.view()['stage'] == 'flying'     # its folder is still being written
+    desk.ended(order['out'])
     return folder / order['out']
 
 

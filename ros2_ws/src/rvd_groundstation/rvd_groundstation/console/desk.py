@@ -252,12 +252,16 @@ class Desk:
     def flown(self, verdict: dict[str, Any]) -> None:
         """Be told that the flight under way has its verdict."""
         if self._stage == 'flying':
-            self._stage, self._reason = 'rate', verdict['reason']
+            self._reason = verdict['reason']
 
     def ended(self, run: str | None) -> None:
-        """Be told that a run is over; one that left no verdict is flown again."""
+        """
+        Be told that a run is over and its folder whole: only now it may be rated.
+
+        One that left no verdict is flown again.
+        """
         if self._stage == 'flying' and run == self._attempt:
-            self._stage = 'ready'
+            self._stage = 'rate' if self._reason else 'ready'
 
     def _rate(self, content: dict[str, Any]) -> None:
         harper, tlx = content.get('cooper_harper'), content.get('tlx')
