@@ -8,7 +8,7 @@ import urllib.request
 import pytest
 from console_page import (
     chromium, Console, FLAGS, fly_by_keys, open_page, playwright, serious, take_and_start, until)
-from runs import messages, ROOT, verdict_of, wait_for
+from runs import messages, ROOT, rvd, verdict_of, wait_for
 
 pytestmark = pytest.mark.slow
 STEP_NS = 500_000_000           # of the scenario `barrier`
@@ -201,6 +201,17 @@ def test_strangers_are_refused(console):
     assert code('/api/runs', Authorization='Bearer no') == 403
     assert code('/api/runs', Authorization=good) == 200
     assert code('/api/runs/..%2f..%2fetc', Authorization=good) == 404
+
+
+@pytest.mark.parametrize('args, words', [
+    (('--bind', '192.168.1.4'), 'needs TLS'), (('--bind', '0.0.0.0'), 'give the one address'),
+    (('--bind', '127.0.0.2', '--tls-cert', 'no.pem', '--tls-key', 'no.pem'), 'no.pem'),
+    (('--port', '99999'), 'port must be 0 to 65535'),
+    (('--session', 'none.yaml', '--out', 'x'), 'cannot read session none.yaml')])
+def test_what_the_console_cannot_do_is_one_line(tmp_path, args, words):
+    done = rvd('fly', '--operator', 'console', *args, cwd=tmp_path)
+    assert done.returncode == 2
+    assert words in done.stderr and done.stderr.count('\n') == 1
 
 
 def test_axe_finds_nothing_serious(console, browser, console_web):

@@ -69,7 +69,10 @@ class ConsoleProcess:
                 return self._wishes.get(timeout=LOOK_S)
             except queue.Empty:
                 waited += LOOK_S
-                if self._process.poll() is not None:
+                code = self._process.poll()
+                if code == EXIT_CANNOT:
+                    raise SystemExit(code) from None        # it has said why, in one line
+                if code is not None:
                     raise CannotRun('the console has gone (see above)') from None
                 if waited > patience_s:
                     raise
