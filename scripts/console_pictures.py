@@ -15,28 +15,12 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / 'tests'))
 
 from console_page import (                      # noqa: E402
-    chromium, Console, FLAGS, KEYS, open_page, playwright, take_and_start, until, wanted_key)
+    chromium, Console, FLAGS, fly_by_keys, open_page, playwright, take_and_start, until)
 
 SIZE = {'width': 1280, 'height': 720}
 SHARP = ('(() => { Object.assign(rvd.scene, {adaptive: false, quality: 2}); '
          'rvd.scene.resize(); })()')
 FAST = SHARP.replace('quality: 2', 'quality: 0.5')
-
-
-def fly_until(page, seconds: float) -> None:
-    """Fly by keys until an instant of the run."""
-    down = dict.fromkeys(KEYS)
-    while page.evaluate('rvd.store.frame.t') < seconds:
-        state = page.evaluate('rvd.store.frame.pred?.ok ? rvd.store.frame.pred.x : null')
-        for axis, names in KEYS.items():
-            key = wanted_key(state, axis, names)
-            if key != down[axis]:
-                if down[axis]:
-                    page.keyboard.up(down[axis])
-                if key:
-                    page.keyboard.down(key)
-                down[axis] = key
-        page.wait_for_timeout(40)
 
 
 def main() -> None:
@@ -50,12 +34,12 @@ def main() -> None:
             page = open_page(browser, console)
             page.set_viewport_size(SIZE)
             take_and_start(page, 'shared')
-            fly_until(page, 62.0)
+            fly_by_keys(page, over='rvd.store.frame.t > 62')
             page.evaluate(SHARP)
             page.wait_for_timeout(1500)
             page.screenshot(path=images / 'console-flight.png')
             page.evaluate(FAST)
-            fly_until(page, 100.0)
+            fly_by_keys(page, over='rvd.store.frame.t > 100')
             until(page, 'Boolean(rvd.store.verdict)', 120.0)
             until(page, "rvd.store.status.phase === 'ended'", 120.0)
             page.evaluate(SHARP)

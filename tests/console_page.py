@@ -143,14 +143,14 @@ def take_and_start(page, mode: str = 'shared', seed: int | None = None) -> None:
     until(page, "rvd.store.status.phase === 'flying' && Boolean(rvd.store.frame)")
 
 
-def fly_by_keys(page, deadline_s: float = 120.0) -> None:
-    """Fly what the page predicts to the axis with the arrow keys until there is a verdict."""
+def fly_by_keys(page, deadline_s: float = 120.0, over: str = 'Boolean(rvd.store.verdict)') -> None:
+    """Fly what the page predicts to the axis with the arrow keys until the flight is `over`."""
     down: dict[int, str | None] = {1: None, 2: None}
     deadline = time.monotonic() + deadline_s
     while time.monotonic() < deadline:
         seen = page.evaluate(
             '({x: rvd.store.frame.pred?.ok ? rvd.store.frame.pred.x : null, '
-            'over: Boolean(rvd.store.verdict)})')
+            f'over: {over}}})')
         if seen['over']:
             break
         for axis, names in KEYS.items():
