@@ -157,7 +157,7 @@ def _add_bench(commands: argparse._SubParsersAction) -> None:
                     'machine alone meanwhile.')
     bench.add_argument('part', nargs='?', default='all',
                        choices=('graph', 'flight', 'loop', 'campaign', 'console', 'all'),
-                       help='what to measure (default: all but the console, about two minutes; '
+                       help='what to measure (default: all but the console, about four minutes; '
                             'the console needs Chromium)')
     bench.add_argument('--quick', action='store_true', help='one repeat of each, small batches')
     bench.add_argument('--out', metavar='FILE', help='write the figures as JSON')

@@ -16,8 +16,9 @@ from typing import Any
 
 from rvd_campaign.campaign.stats import wilson
 from rvd_campaign.page import STYLE
+from rvd_groundstation.console.desk import RATINGS, WEIGHTS
 
-SESSION, WEIGHTS = 'session.json', 'tlx_weights.json'
+SESSION = 'session.json'
 COLUMNS = ('volunteer', 'number', 'condition', 'mode', 'training', 'seed', 'reason', 'success',
            'duration_s', 'x_rate_m_s', 'offset_m', 'lateral_rate_m_s', 'delta_v_m_s',
            'cooper_harper', 'tlx', 'tlx_weighted')
@@ -72,7 +73,7 @@ def read_flights(folder: Path) -> tuple[list[dict[str, Any]], int]:
     rows, left_out = [], 0
     for file in sorted(folder.glob('P*/*/verdict.json')):
         verdict = json.loads(file.read_text(encoding='utf-8'))
-        ratings_file = file.with_name('ratings.json')
+        ratings_file = file.with_name(RATINGS)
         if not ratings_file.is_file():
             left_out += 1
             continue
@@ -185,6 +186,7 @@ flights, training included; {left_out} flown and not rated.</p></header><main>
 <p>Closing rate, offset and lateral rate are means over successes, as in Table 3 of the paper
 (manual .76, .2498, .1444, .0182; shared .91, .2501, .1347, .0186). Success with its Wilson
 interval, which takes flights of one volunteer as independent. Cooper-Harper: median (lowest to
-highest), 1 is best. NASA-TLX: mean of the six scales ± standard deviation, 0 to 100.{more_words}</p>
+highest), 1 is best. NASA-TLX: mean of the six scales ± standard deviation, 0 to
+100.{more_words}</p>
 {compared}<p>Every flight: <code>flights.csv</code>.</p></main></body></html>
 '''

@@ -90,7 +90,8 @@ class Replay:
             '/ground/telemetry': self._telemetry, '/ground/estimate': self._estimate,
             '/ground/prediction': self._prediction, '/ground/prediction_score': self._score,
             '/ground/auto_command': self._auto, '/ground/command': self._command,
-            '/joy': self._joy, '/link/back/status': self._link, '/truth/relative_state': self._on_truth,
+            '/joy': self._joy, '/link/back/status': self._link,
+            '/truth/relative_state': self._on_truth,
             '/run/events': self._event, '/run/verdict': self._on_verdict}
 
     def take(self, topic: str, message: Any) -> None:

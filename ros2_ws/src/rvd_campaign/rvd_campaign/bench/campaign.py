@@ -43,7 +43,7 @@ def measure(quick: bool = False) -> dict:
     rate = max(_rate(paper.loop(), range(batch)) for _ in range(repeats))
     slow = max(_rate_one_by_one(alone, 2 if quick else ONE_BY_ONE) for _ in range(repeats))
     with tempfile.TemporaryDirectory() as folder:
-        _flying_s(load_campaign('table3', 200), Path(folder) / 'warm', 2)     # starts the processes
+        _flying_s(load_campaign('table3', 200), Path(folder) / 'warm', 2)   # starts processes
         flown = load_campaign('table3', table)
         one, two = (_flying_s(flown, Path(folder) / str(count), count) for count in (1, 2))
     return {'runs_per_core_s': round(rate), 'one_by_one_per_core_s': round(slow, 2),

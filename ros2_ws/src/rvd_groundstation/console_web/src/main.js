@@ -276,7 +276,7 @@ function draw(at) {
   if (at - drawnAt < FRAME_MS - 2) return;
   scene.adapt(at - drawnAt);
   drawnAt = at;
-  const due = at - readAt > (store.frame === readFrame ? IDLE_MS : READ_MS);
+  const due = at - readAt > (store.frame === readFrame && !review.on ? IDLE_MS : READ_MS);
   if (due) {
     readAt = at;
     readFrame = store.frame;

@@ -226,6 +226,7 @@ export class Scene {
     }
     lens.updateMatrixWorld();
     const placed = []; // names of craft that are close together stand above each other
+    const tall = this.elements.labels.firstElementChild?.offsetHeight || 0; // read before writing
     for (const [text, { at, kind, drop }] of wanted) {
       let mark = this.marks.get(text);
       if (!mark) {
@@ -241,7 +242,7 @@ export class Scene {
       const left = Math.round(((p.x + 1) / 2) * rect.width);
       let top = Math.round(((1 - p.y) / 2) * rect.height) + (drop ? 14 : 0);
       if (kind) {
-        const near = ([x, y]) => Math.abs(x - left) < 5 * mark.offsetHeight && Math.abs(y - top) < mark.offsetHeight;
+        const near = ([x, y]) => Math.abs(x - left) < 5 * tall && Math.abs(y - top) < tall;
         while (placed.some(near)) top -= 2;
         placed.push([left, top]);
       }
