@@ -68,6 +68,23 @@ def test_a_hung_node_is_named_and_the_run_ends_with_2(victim, flying, tmp_path):
 
 
 @pytest.mark.slow
+def test_a_flight_that_nobody_watched_has_its_verdict(flying, tmp_path):
+    """Nodes wait for the recorder, not for `fly`: it may not have heard one message."""
+    scenario = tmp_path / 'short.yaml'
+    scenario.write_text('/**: {ros__parameters: {timeout_s: 20.0}}')
+    process = flying(str(scenario), '--pace', 'lockstep')
+    nodes = wait_for(lambda: len(pids_under(process.pid)) >= 12 and pids_under(process.pid),
+                     'every node')
+    os.kill(process.pid, signal.SIGSTOP)
+    wait_for(lambda: not any(alive(pid) for pid in nodes), 'the end of every node')
+    os.kill(process.pid, signal.SIGCONT)
+    assert process.wait(60.0) == 1, (tmp_path / 'out').read_text()
+    verdict = verdict_of(tmp_path / 'run')
+    assert verdict['reason'] == 'timeout' and verdict['duration_s'] == 20.0
+    assert verdict['link']['forward']['sent'] == len(messages(tmp_path / 'run', '/ground/uplink'))
+
+
+@pytest.mark.slow
 def test_a_killed_recorder_loses_nothing_it_had_received(flying, tmp_path):
     process = flying('--pace', '5')
     bag_grows(tmp_path / 'run')

@@ -5,7 +5,7 @@ A bag that was cut off (kill -9, full disk, broken copy) is read up to there: `R
 says so, and how many messages of which topic are not in it.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -233,6 +233,34 @@ def read(path: Path) -> Recording:
         missing={topic: last_step + 1 - len(np.unique(s[s <= last_step]))
                  for topic, s in steps.items()},
         lost={topic: int(n) for topic, n in raw.notes.get('rvd_lost', {}).items()})
+
+
+def newest(path: Path, topics: Iterable[str]) -> dict[str, Any]:
+    """
+    Return the last message of each of `topics` in a bag, decoded; None where it has none.
+
+    Raises
+    ------
+    ValueError
+        If there is no bag.
+    """
+    found: dict[str, Any] = dict.fromkeys(topics)
+    for file in files_of(path):
+        schemas: dict[int, Schema] = {}
+        channels: dict[int, Channel] = {}
+        last: dict[int, bytes] = {}
+        for record in records(file):
+            if isinstance(record, Schema):
+                schemas[record.id] = record
+            elif isinstance(record, Channel) and record.topic in found:
+                channels[record.id] = record
+            elif isinstance(record, Message) and record.channel_id in channels:
+                last[record.channel_id] = record.data
+        for number, data in last.items():
+            channel = channels[number]
+            found[channel.topic] = DecoderFactory().decoder_for(
+                channel.message_encoding, schemas.get(channel.schema_id))(data)
+    return found
 
 
 class _Raw:

@@ -10,9 +10,9 @@ import signal
 import sys
 import time
 from pathlib import Path
-from typing import Callable
+from typing import Any, Callable
 
-from rvd_campaign import catalogue, verdict
+from rvd_campaign import bag, catalogue, verdict
 from rvd_campaign.domain import reserved_domain
 from rvd_campaign.exits import (
     CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_FAILED, EXIT_INTERRUPTED)
@@ -145,8 +145,8 @@ class Flight:
             print(f'rvd fly: {problem}', file=sys.stderr)
             print(f'rvd fly: logs are in {self._run_dir / "logs"}', file=sys.stderr)
             return EXIT_CANNOT
-        content = verdict.as_dict(self._watch.verdict, self._watch.links(), self._mission,
-                                  self._scenario.name, interrupted)
+        judged, links = self._outcome()
+        content = verdict.as_dict(judged, links, self._mission, self._scenario.name, interrupted)
         verdict.write(self._run_dir / 'verdict.json', content)
         print(verdict.in_words(content, self._mission), flush=True)
         if interrupted:
@@ -163,13 +163,15 @@ class Flight:
             self._show()
             if self._stop_asked():
                 raise KeyboardInterrupt
-            if self._watch.verdict is not None and self._watch.verdict.final:
+            if self._is_final(self._watch.verdict):
                 self._wait_for_the_nodes()
                 return None
             failures = self._supervisor.failures()
             if failures:
                 return self._why(failures)
             if self._supervisor.ended:
+                if self._is_final(self._outcome()[0]):
+                    return None
                 return self._supervisor.complaint() or 'the run ended without a verdict'
             now = time.monotonic()
             if not self._watch.steps and now - begun > START_S:
@@ -180,6 +182,27 @@ class Flight:
                 owing = self._watch.who_owes(list(self._supervisor.pids))
                 return (f'no step for {STALL_S:g} s of wall time: '
                         f'{", ".join(owing) or "no node"} owes a message')
+
+    @staticmethod
+    def _is_final(judged: Any) -> bool:
+        return judged is not None and judged.final
+
+    def _outcome(self) -> tuple[Any, dict[str, Any]]:
+        """
+        Return the last verdict, None if there is none, and the last status of each link.
+
+        The bag is asked, for whose writer the nodes wait: nobody waits for this process, and a
+        run of a few steps can be over before it has found the others. Only a verdict that came
+        after the recorder had died is known here alone.
+        """
+        topics = {'verdict': '/run/verdict', **bag.LINKS}
+        try:
+            last = bag.newest(self._run_dir, topics.values())
+        except ValueError:                      # no bag: ended before there was one
+            last = dict.fromkeys(topics.values())
+        judged = last['/run/verdict']
+        return (judged if self._is_final(judged) else self._watch.verdict or judged,
+                {name: last[topic] for name, topic in bag.LINKS.items()})
 
     def _wait_for_the_nodes(self) -> None:
         """
@@ -205,7 +228,7 @@ class Flight:
 
     def _stalled(self, now: float) -> bool:
         watch, mission = self._watch, self._mission
-        if not watch.steps or watch.paused or (watch.verdict and watch.verdict.final):
+        if not watch.steps or watch.paused or self._is_final(watch.verdict):
             return False
         patience = STALL_S
         if mission.pace == 'realtime':

@@ -20,7 +20,7 @@ from rvd_dynamics.codes import BY_AUTO, BY_BLEND, BY_GUARD, BY_NOBODY, BY_PILOT
 from rvd_dynamics.mission import Mission
 from rvd_dynamics.ros import graph, qos
 
-SHOWN = ('/truth/relative_state', '/ground/command', '/link/back/status', '/link/forward/status')
+SHOWN = ('/truth/relative_state', '/ground/command', '/link/back/status')
 SETTLE_S = 3.0                  # [s] wall time without news after which a look back is complete
 GLANCE_S = 0.05                 # [s] wall time between two looks at the flight
 DECIDES = {BY_NOBODY: 'nobody', BY_PILOT: 'pilot', BY_AUTO: 'auto', BY_GUARD: 'guard'}
@@ -91,10 +91,6 @@ class FlightWatch:
         data = self._raw.get(topic)
         return None if data is None else deserialize_message(
             data, message_type(graph.TOPICS[topic]))
-
-    def links(self) -> dict[str, Any]:
-        """Return the newest status of both directions of the link."""
-        return {name: self.newest(f'/link/{name}/status') for name in ('forward', 'back')}
 
     def line(self) -> str:
         """Return one line of progress: range, rate, margin, delay, who decides."""
