@@ -101,7 +101,7 @@ def until(page, condition: str, timeout: float = 60.0) -> None:
     while not page.evaluate(condition):
         if time.monotonic() > deadline:
             raise AssertionError(f'{condition} did not come in {timeout:g} s: '
-                                 + str(page.evaluate('JSON.stringify(rvd.store.status)')))
+                                 + str(page.evaluate('JSON.stringify(window.rvd?.store.status)')))
         page.wait_for_timeout(50)
 
 
@@ -116,7 +116,7 @@ def open_page(browser, console: Console, plain: bool = False, **options):
     page.on('pageerror', lambda error: page.problems.append(str(error)))
     page.on('console', lambda m: page.problems.append(m.text) if m.type == 'error' else None)
     page.goto(console.url.replace('/#', '/?plain#') if plain else console.url)
-    until(page, 'rvd.store.connected')
+    until(page, 'window.rvd?.store.connected')
     return page
 
 

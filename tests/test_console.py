@@ -122,7 +122,7 @@ def test_a_gamepad_flies_only_while_its_dead_man_is_held(console, browser):
     page = open_page(browser, console, plain=True)
     page.add_init_script(PAD)
     page.reload()
-    until(page, 'rvd.store.connected')
+    until(page, 'window.rvd?.store.connected')
     page.evaluate('pad.axes[2] = 1; pad.buttons[4].pressed = true')
     page.wait_for_timeout(100)
     state = page.evaluate('rvd.stick.state()')

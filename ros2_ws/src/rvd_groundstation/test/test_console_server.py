@@ -230,21 +230,78 @@ def test_there_is_room_for_fifty_watchers_and_a_pilot():
     run(work())
 
 
+def test_a_crowd_is_served_in_turns_and_each_page_in_order():
+    """Frames for 50 pages at once would hold up a stick; in turns they come to all, if rarer."""
+    async def work():
+        async with House() as house:
+            pilot, *crowd = [await house.socket() for _ in range(51)]
+            await ask(pilot, do='take')
+
+            async def fly():
+                for k in range(60):             # a step every 20 ms
+                    house.hub.post('command', k, k, 0, [0, 0, 0], 0, 1.0, 0)
+                    await asyncio.sleep(0.02)
+            flying = asyncio.create_task(fly())
+            heard = await asyncio.gather(*(frames(page, 1.5) for page in (pilot, *crowd)))
+            await flying
+            rounds = [len(numbers) for numbers in heard[1:]]
+            assert 2 <= min(rounds) and max(rounds) <= 9 and len(heard[0]) > 2 * max(rounds), rounds
+            assert all(numbers == sorted(set(numbers)) for numbers in heard)
+            assert len({tuple(numbers[:4]) for numbers in heard[1:]}) <= 2      # a round is one picture
+            for page in (pilot, *crowd):
+                await page.close()
+
+    async def frames(page, seconds):
+        numbers, end = [], asyncio.get_running_loop().time() + seconds
+        while (left := end - asyncio.get_running_loop().time()) > 0:
+            try:
+                message = json.loads((await page.receive(left)).data)
+            except asyncio.TimeoutError:
+                break
+            if message['type'] == 'frame':
+                numbers.append(message['n'])
+        return numbers
+    run(work())
+
+
+async def a_watcher_that_reads_nothing(house):
+    """Return its client in the hub and its end of the connection."""
+    before = set(house.hub.clients)
+    _, writer = await asyncio.open_connection('127.0.0.1', house.server.access.port, limit=1)
+    writer.write((
+        'GET /ws HTTP/1.1\r\nHost: {0}\r\nOrigin: http://{0}\r\nUpgrade: websocket\r\n'
+        'Connection: Upgrade\r\nSec-WebSocket-Version: 13\r\n'
+        'Sec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n'
+        'Sec-WebSocket-Protocol: rvd.console.1, token.{1}\r\n\r\n').format(
+            house.base[7:], house.server.access.token).encode())
+    await writer.drain()
+    await asyncio.sleep(0.1)
+    return (house.hub.clients - before).pop(), writer
+
+
+def test_a_page_stuck_in_one_message_is_cut_off(monkeypatch):
+    monkeypatch.setattr(server, 'STUCK_S', 0.3)
+
+    async def work():
+        async with House() as house:
+            client, writer = await a_watcher_that_reads_nothing(house)
+            for _ in range(40):
+                house.hub._put(client, 'x' * 900_000, False)
+                await asyncio.sleep(0.02)
+                if client.outbox.bytes:
+                    break
+            assert client.outbox.bytes and not client.closing    # far from too much, yet stuck
+            await asyncio.sleep(0.6)
+            assert client.closing == 'STUCK' and client not in house.hub.clients
+            writer.close()
+    run(work())
+
+
 def test_w2_a_watcher_that_reads_nothing_does_not_hold_up_the_pilot():
     async def work():
         async with House() as house, house.socket() as pilot:
             await ask(pilot, do='take')
-            reader, writer = await asyncio.open_connection('127.0.0.1',
-                                                           house.server.access.port, limit=1)
-            writer.write((
-                'GET /ws HTTP/1.1\r\nHost: {0}\r\nOrigin: http://{0}\r\nUpgrade: websocket\r\n'
-                'Connection: Upgrade\r\nSec-WebSocket-Version: 13\r\n'
-                'Sec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n'
-                'Sec-WebSocket-Protocol: rvd.console.1, token.{1}\r\n\r\n').format(
-                    house.base[7:], house.server.access.token).encode())
-            await writer.drain()
-            await asyncio.sleep(0.1)
-            watcher = next(c for c in house.hub.clients if c is not house.hub.lease.holder)
+            watcher, writer = await a_watcher_that_reads_nothing(house)
             for k in range(600):                # 600 messages of 20 kB that it does not read
                 house.hub._put(watcher, 'x' * 20000, False)
                 if k % 20 == 0:

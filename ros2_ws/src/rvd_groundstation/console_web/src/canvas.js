@@ -25,19 +25,34 @@ export function say(element, words) {
   if (element.textContent !== words) element.textContent = words;
 }
 
+// Boxes of canvases and the size of a rem: asked for when they change, as asking in the midst of
+// writing costs a layout.
+const boxes = new Map();
+let rem = 12;
+const observer = new ResizeObserver((entries) => entries.forEach(({ target }) => measure(target)));
+
+function measure(canvas) {
+  const { width, height } = canvas.getBoundingClientRect();
+  boxes.set(canvas, { w: width, h: height });
+  rem = parseFloat(getComputedStyle(document.documentElement).fontSize);
+}
+
 export function begin(canvas) {
-  const box = canvas.getBoundingClientRect();
+  if (!boxes.has(canvas)) {
+    measure(canvas);
+    observer.observe(canvas);
+  }
+  const { w, h } = boxes.get(canvas);
   const ratio = Math.min(devicePixelRatio || 1, 2);
-  const width = Math.max(1, Math.round(box.width * ratio));
-  const height = Math.max(1, Math.round(box.height * ratio));
+  const width = Math.max(1, Math.round(w * ratio));
+  const height = Math.max(1, Math.round(h * ratio));
   if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
   const pen = canvas.getContext('2d', { willReadFrequently: SOFTWARE });
   pen.setTransform(ratio, 0, 0, ratio, 0, 0);
-  pen.clearRect(0, 0, box.width, box.height);
-  const rem = parseFloat(getComputedStyle(document.documentElement).fontSize);
+  pen.clearRect(0, 0, w, h);
   pen.font = `${0.74 * rem}px system-ui, sans-serif`;
   pen.lineWidth = rem / 12;
-  return { pen, w: box.width, h: box.height, rem };
+  return { pen, w, h, rem };
 }
 
 export function ring(pen, x, y, r, colour, dash) {

@@ -3,11 +3,15 @@
 
 import * as THREE from 'three';
 import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
+import { SOFTWARE } from './canvas.js';
 
 export const COLOURS = {
   measured: 0x7cc4ff, predicted: 0xffb652, wall: 0x6f8aa5, boundary: 0xb9c2a0, truth: 0xf2f5f8,
   auto: 0xd59bf6, ok: 0x56d6b0,
 };
+
+// How many pieces a round thing is made of: fewer where the processor draws.
+const pieces = (n) => (SOFTWARE ? Math.ceil(n / 2) : n);
 
 // A shape in its place and colour. What is of one material is merged into one mesh: each mesh is a
 // call to the graphics driver, and calls, not triangles, are what a picture costs.
@@ -22,7 +26,7 @@ function part(geometry, colour, place) {
 
 function cylinder(colour, top, bottom, length, x) { // its axis along x, `top` towards +x
   const place = new THREE.Matrix4().makeRotationZ(-Math.PI / 2).setPosition(x, 0, 0);
-  return part(new THREE.CylinderGeometry(top, bottom, length, 32), colour, place);
+  return part(new THREE.CylinderGeometry(top, bottom, length, pieces(32)), colour, place);
 }
 
 function box(colour, x, y, z, sx, sy, sz) {
@@ -76,15 +80,16 @@ export function target(dockingRadius) {
   // The cross that the camera aims at, and the docking circle.
   station.add(new THREE.Mesh(mergeGeometries([
     box(white, 0, 0, 0, 0.01, 0.3, 0.025), box(white, 0, 0, 0, 0.01, 0.025, 0.3),
-    part(new THREE.TorusGeometry(dockingRadius, 0.012, 10, 72), COLOURS.ok,
+    part(new THREE.TorusGeometry(dockingRadius, 0.012, pieces(8), pieces(72)), COLOURS.ok,
       new THREE.Matrix4().makeRotationY(Math.PI / 2))]),
   new THREE.MeshBasicMaterial({ vertexColors: true })));
   return station;
 }
 
 function circle(x, radius) {
-  return Array.from({ length: 65 }, (_, i) => {
-    const a = (i / 64) * 2 * Math.PI;
+  const n = pieces(64);
+  return Array.from({ length: n + 1 }, (_, i) => {
+    const a = (i / n) * 2 * Math.PI;
     return new THREE.Vector3(x, radius * Math.cos(a), radius * Math.sin(a));
   });
 }
@@ -117,10 +122,10 @@ export function corridor({ x, wall, boundary }) {
   const dashes = new THREE.LineDashedMaterial({ color: COLOURS.boundary, dashSize: 0.35,
     gapSize: 0.22, transparent: true, opacity: 0.85 });
   const skin = new THREE.MeshBasicMaterial({ color: COLOURS.wall, transparent: true, opacity: 0.05,
-    side: THREE.DoubleSide, depthWrite: false });
+    side: THREE.DoubleSide, forceSinglePass: true, depthWrite: false });
   const [ends, radii] = [[x[0], x[x.length - 1]], [wall[0], wall[wall.length - 1]]]; // straight
   const profile = ends.map((s, i) => new THREE.Vector2(radii[i], s));
-  const cone = new THREE.Mesh(new THREE.LatheGeometry(profile, 48), skin);
+  const cone = new THREE.Mesh(new THREE.LatheGeometry(profile, pieces(48)), skin);
   cone.rotation.z = -Math.PI / 2;
   const bright = meridians(ends, radii, 4);
   const dim = [...meridians(ends, radii, 12), [new THREE.Vector3(x[0], 0, 0), new THREE.Vector3(0, 0, 0)]];
@@ -147,7 +152,7 @@ export function sky() {
   const places = [];
   let seed = 7;
   const random = () => { seed = (seed * 16807) % 2147483647; return seed / 2147483647; };
-  for (let i = 0; i < 1400; i += 1) {
+  for (let i = 0; i < pieces(1400); i += 1) {
     const u = 2 * random() - 1;
     const a = 2 * Math.PI * random();
     const r = Math.sqrt(1 - u * u);
@@ -158,7 +163,7 @@ export function sky() {
   group.add(new THREE.Points(stars, new THREE.PointsMaterial({ color: 0x8fa3ba, size: 1.3,
     sizeAttenuation: false, transparent: true, opacity: 0.7 })));
   const limb = Math.acos(1738 / 1938); // from the middle of the Moon: what lies beyond is hidden
-  const geometry = new THREE.SphereGeometry(500 * (1738 / 1938), 80, 16, 0, 2 * Math.PI, 0, 1.05 * limb);
+  const geometry = new THREE.SphereGeometry(500 * (1738 / 1938), pieces(96), pieces(16), 0, 2 * Math.PI, 0, 1.05 * limb);
   const position = geometry.attributes.position;
   const colours = [];
   const n = new THREE.Vector3();
@@ -194,7 +199,8 @@ export class Tube {
     geometry.setAttribute('position', new THREE.BufferAttribute(this.places, 3));
     geometry.setIndex(index);
     this.mesh = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({ color: colour,
-      transparent: true, opacity: 0.22, side: THREE.DoubleSide, depthWrite: false }));
+      transparent: true, opacity: 0.22, side: THREE.DoubleSide, forceSinglePass: true,
+      depthWrite: false }));
     this.mesh.frustumCulled = false;
   }
 

@@ -1,22 +1,29 @@
 // The page's side of the worker that holds the socket.
 
-export class Link {
-  constructor(token, onMessage) {
+class Link {
+  constructor(token) {
     this.token = token;
     this.waiting = new Map();
     this.number = 0;
+    this.early = []; // what came before anybody listened
+    this.onMessage = (message) => this.early.push(message);
     this.worker = new Worker(new URL('./link.worker.js', import.meta.url), { type: 'module' });
-    this.worker.onmessage = (event) => this.take(event.data, onMessage);
+    this.worker.onmessage = (event) => this.take(event.data);
     const scheme = location.protocol === 'https:' ? 'wss' : 'ws';
     this.worker.postMessage({ open: { url: `${scheme}://${location.host}/ws`, token } });
   }
 
-  take(message, onMessage) {
+  listen(onMessage) {
+    this.onMessage = onMessage;
+    for (const message of this.early.splice(0)) onMessage(message);
+  }
+
+  take(message) {
     if (message.type === 'reply' && this.waiting.has(message.id)) {
       this.waiting.get(message.id)(message);
       this.waiting.delete(message.id);
     }
-    onMessage(message);
+    this.onMessage(message);
   }
 
   // Say how the stick stands; also the beat that shows that this thread is alive.
@@ -39,3 +46,11 @@ export class Link {
     return response.json();
   }
 }
+
+const token = decodeURIComponent(location.hash.slice(1)) || sessionStorage.getItem('rvd.token') || '';
+if (token) {
+  sessionStorage.setItem('rvd.token', token);
+  history.replaceState(null, '', location.pathname + location.search); // the token does not stay on a shared screen
+}
+
+export const link = token ? new Link(token) : null;

@@ -6,7 +6,7 @@ import { Desk } from './desk.js';
 import * as dialogs from './dialogs.js';
 import { Motion, Thrust, bullseye, clock, dial, errorRms, linkCounts, number, reticle } from './instruments.js';
 import { counts, ladder } from './ladder.js';
-import { Link } from './link.js';
+import { link } from './link.js';
 import { Review } from './review.js';
 import { Scene, VIEWS, scaleText } from './scene.js';
 import { Stick, typing } from './stick.js';
@@ -23,12 +23,6 @@ const MODES = ['manual', 'shared', 'auto'];
 for (const element of document.querySelectorAll('[data-s]')) element.textContent = S[element.dataset.s];
 for (const element of document.querySelectorAll('[data-a]')) element.setAttribute('aria-label', S[element.dataset.a]);
 
-const token = decodeURIComponent(location.hash.slice(1)) || sessionStorage.getItem('rvd.token') || '';
-if (token) {
-  sessionStorage.setItem('rvd.token', token);
-  history.replaceState(null, '', location.pathname + location.search); // the token does not stay on a shared screen
-}
-
 const store = new Store();
 const motion = new Motion();
 const thrust = new Thrust();
@@ -41,12 +35,12 @@ let readAt = 0;
 let readFrame = null;
 let shownVerdict = null;
 let chartsAt = 0;
-const link = token ? new Link(token, take) : null;
 const stick = new Stick((state, now) => link?.stick(state, now));
 const desk = new Desk(link);
 const review = new Review(link, scene, charts, () => refreshRun());
 
-if (!token) dialogs.message(S.no_token_title, S.no_page_token);
+if (link) link.listen(take);
+else dialogs.message(S.no_token_title, S.no_page_token);
 
 function take(message) {
   if (message.type === 'desk') {

@@ -17,9 +17,9 @@ const MOST_QUALITY = SOFTWARE ? 0.5 : 1; // pixels that the processor draws it l
 export class Scene {
   constructor(canvas, view, camera, labels) {
     this.elements = { view, camera, labels };
+    this.canvas = canvas;
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: !SOFTWARE, alpha: false,
-      powerPreference: 'high-performance' });
-    this.renderer.setScissorTest(true);
+      powerPreference: 'high-performance', preserveDrawingBuffer: true }); // see `draw`
     this.renderer.autoClear = false;
     this.scene = new THREE.Scene();
     this.scene.add(new THREE.HemisphereLight(0xdfe9ff, 0x2a2a2a, 0.9));
@@ -55,6 +55,8 @@ export class Scene {
     this.marks = new Map();
     this.follow(view);
     this.resize();
+    const observer = new ResizeObserver(() => this.resize());
+    for (const element of [view, camera]) observer.observe(element);
     addEventListener('resize', () => this.resize());
   }
 
@@ -78,15 +80,31 @@ export class Scene {
     this.station = target(run.limits.offset);
     this.static.add(this.station, corridor(run.geometry));
     this.scene.add(this.static);
+    this.shot = [];
     for (const path of Object.values(this.lines)) path.set([]);
     this.tube.set([]);
   }
 
+  // The canvas covers what is drawn into and no more: where the processor puts the page together,
+  // each picture costs by the area. Places are asked for here alone, as asking costs a layout.
   resize() {
-    const ratio = Math.min(devicePixelRatio || 1,
-      Math.sqrt(MAX_PIXELS / Math.max(innerWidth * innerHeight, 1)));
+    const [view, camera] = [this.elements.view, this.elements.camera].map((e) => e.getBoundingClientRect());
+    const [left, top] = [Math.min(view.left, camera.left), Math.min(view.top, camera.top)];
+    const width = Math.max(view.right, camera.right) - left;
+    const height = Math.max(view.bottom, camera.bottom) - top;
+    const inside = (r) => ({ left: r.left - left, bottom: top + height - r.bottom, width: r.width, height: r.height });
+    this.places = { view: inside(view), camera: inside(camera) };
+    const { canvas } = this;
+    Object.assign(canvas.style, { left: `${left}px`, top: `${top}px`, width: `${width}px`, height: `${height}px` });
+    const ratio = Math.min(devicePixelRatio || 1, Math.sqrt(MAX_PIXELS / Math.max(width * height, 1)));
     this.renderer.setPixelRatio(ratio * this.quality);
-    this.renderer.setSize(innerWidth, innerHeight, false);
+    this.renderer.setSize(width, height, false);
+    this.renderer.setScissorTest(false); // what shows between the panels
+    this.renderer.setClearColor(0x080c12, 1);
+    this.renderer.clear();
+    this.renderer.setScissorTest(true);
+    this.shot = []; // where the docking camera was in its last picture
+    this.tall = parseFloat(getComputedStyle(this.elements.labels).fontSize); // of a label, nearly
   }
 
   // Drag turns, wheel zooms; keys do the same for who has no mouse.
@@ -135,22 +153,22 @@ export class Scene {
   draw() {
     if (!this.enabled) return;
     this.drawn += 1;
-    const { view, camera } = this.elements;
+    const { view, camera } = this.places;
     const squeeze = this.kind === 'orbit' ? 1 : 1 / EXAGGERATED;
     const bodies = [this.measured, this.ghost, this.truth, this.station].filter(Boolean);
     for (const body of bodies) {
       body.scale.set(1, this.kind === 'side' ? squeeze : 1, this.kind === 'top' ? squeeze : 1);
     }
-    const rect = view.getBoundingClientRect();
-    const lens = this.lens(rect);
-    this.into(rect, lens, this.kind === 'orbit');
-    this.label(lens, rect);
+    const lens = this.lens(view);
+    this.into(view, lens, this.kind === 'orbit');
+    this.label(lens, view);
     for (const body of bodies) body.scale.set(1, 1, 1);
     const eye = (this.seen && (this.seen.truth || this.seen.measured)) || this.start || [-30, 0, 0];
-    const small = camera.getBoundingClientRect();
-    if (small.height > 20) {
-      this.aim(eye, small);
-      this.into(small, this.dock, true);
+    // The docking camera sees what does not move, so its picture changes with its place alone.
+    if (camera.height > 20 && eye.some((c, i) => c !== this.shot[i])) {
+      this.shot = eye.slice(0, 3);
+      this.aim(eye, camera);
+      this.into(camera, this.dock, true);
     }
   }
 
@@ -198,9 +216,8 @@ export class Scene {
   }
 
   into(rect, lens, withSky) {
-    const y = innerHeight - rect.bottom;
-    this.renderer.setViewport(rect.left, y, rect.width, rect.height);
-    this.renderer.setScissor(rect.left, y, rect.width, rect.height);
+    this.renderer.setViewport(rect.left, rect.bottom, rect.width, rect.height);
+    this.renderer.setScissor(rect.left, rect.bottom, rect.width, rect.height);
     this.renderer.setClearColor(0x05080c, 1);
     this.renderer.clear(true, true);
     if (withSky) {
@@ -226,7 +243,6 @@ export class Scene {
     }
     lens.updateMatrixWorld();
     const placed = []; // names of craft that are close together stand above each other
-    const tall = this.elements.labels.firstElementChild?.offsetHeight || 0; // read before writing
     for (const [text, { at, kind, drop }] of wanted) {
       let mark = this.marks.get(text);
       if (!mark) {
@@ -242,7 +258,7 @@ export class Scene {
       const left = Math.round(((p.x + 1) / 2) * rect.width);
       let top = Math.round(((1 - p.y) / 2) * rect.height) + (drop ? 14 : 0);
       if (kind) {
-        const near = ([x, y]) => Math.abs(x - left) < 5 * tall && Math.abs(y - top) < tall;
+        const near = ([x, y]) => Math.abs(x - left) < 5 * this.tall && Math.abs(y - top) < this.tall;
         while (placed.some(near)) top -= 2;
         placed.push([left, top]);
       }

@@ -7,6 +7,7 @@ which any thread may call. The lease says who flies. Whoever holds the token may
 
 import asyncio
 import json
+import math
 import time
 from collections import deque
 from dataclasses import dataclass, field
@@ -23,6 +24,8 @@ from rvd_groundstation.console.protocol import (
 
 FRAME_S = 1.0 / 30              # [s] wall time: a page gets no more frames than this
 WATCH_S = 0.1                   # [s] likewise, pages that only watch
+HANDFUL = 4                     # [pages] watchers served at a time
+HAND_S = 0.016                  # [s] wall time between two handfuls: 50 pages get 5 frames a second
 HOUSEKEEPING_S = 0.25           # [s] wall time
 MAX_CLIENTS = 51                # 50 watchers and a pilot
 STICK_S = 0.5                   # [s] wall time after which a held stick is no pilot
@@ -50,6 +53,7 @@ class Client:
     wake: asyncio.Event = field(default_factory=asyncio.Event)
     throttle: Throttle = field(default_factory=lambda: Throttle(PAGE_RATE, PAGE_BURST))
     closing: str = ''
+    cut: Callable[[], None] = lambda: None      # end the connection, whatever it is waiting for
 
 
 class Hub:
@@ -78,7 +82,7 @@ class Hub:
         self._numbers = 0
         self._frame = 0
         self._shown = {'pilot': 0, 'watch': 0}  # ladder versions
-        self._watched_at = 0.0
+        self._watch_at = 0.0                    # when watchers may have the next frame
         self._watchers_due: asyncio.TimerHandle | None = None
         self._stick: tuple[float, Stick] | None = None
 
@@ -156,6 +160,7 @@ class Hub:
         if wish.do == 'take':
             if not self.lease.take(client, time.monotonic()):
                 raise Refused('TAKEN')
+            self._tell_ladder(client)           # pilots and watchers hear its changes apart
         elif wish.do == 'drop':
             if self.lease.drop(client):
                 self._release()
@@ -166,8 +171,8 @@ class Hub:
             self._ask_for(wish)
         elif wish.do == 'desk':
             self._at_desk(wish)
-        elif wish.content.get('resync') and self.feed is not None:
-            self._tell(client, {'type': 'ladder', 'ladder': self.feed.ladder.changes()})
+        elif wish.content.get('resync'):
+            self._tell_ladder(client)
         self._reply(client, wish.id, True, '')
         self._status()
 
@@ -304,15 +309,22 @@ class Hub:
             self._watchers_due = None
         if self.feed is None or self._watchers_due is not None:
             return
-        left = self._watched_at + WATCH_S - time.monotonic()
+        now = time.monotonic()
+        left = self._watch_at - now
         if left > 0.0 and self._loop is not None:
             self._watchers_due = self._loop.call_later(left, self._to_watchers, True)
             return
-        self._watched_at = time.monotonic()
-        text = self._frame_text('watch')
-        for client in list(self.clients):
-            if client is not self.lease.holder:
+        self._watch_at = now + max(WATCH_S, HAND_S * math.ceil(len(self.clients) / HANDFUL))
+        self._hand_out(self._frame_text('watch'), list(self.clients))
+
+    def _hand_out(self, text: str, watchers: list[Client]) -> None:
+        """Send a frame to a few and soon to the rest: no stick waits for 50 pages."""
+        for client in watchers[:HANDFUL]:
+            if client in self.clients and client is not self.lease.holder:
                 self._put(client, text, True)
+        rest = watchers[HANDFUL:]
+        if rest and self._loop is not None:
+            self._loop.call_later(HAND_S, self._hand_out, text, rest)
 
     def _frame_text(self, audience: str) -> str:
         message = self.feed.frame(self._shown[audience])
@@ -343,6 +355,10 @@ class Hub:
                 'type': 'status', 'phase': self.phase, 'note': self.note, 'lease': who,
                 'pages': len(self.clients), 'run': self.run_name, 'pilot_lost': self.pilot_lost})
 
+    def _tell_ladder(self, client: Client) -> None:
+        if self.feed is not None:
+            self._tell(client, {'type': 'ladder', 'ladder': self.feed.ladder.changes()})
+
     def _everybody(self, message: dict) -> None:
         text = encode(message)
         for client in list(self.clients):
@@ -354,6 +370,7 @@ class Hub:
     def _put(self, client: Client, text: str, droppable: bool) -> None:
         if not client.outbox.put(text, droppable):
             client.closing = 'SLOW'
+            client.cut()
         client.wake.set()
 
 

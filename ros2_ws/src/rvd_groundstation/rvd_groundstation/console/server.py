@@ -198,7 +198,8 @@ class Server:
         sender = None
         try:
             await socket.prepare(request)
-            sender = asyncio.create_task(self._send(socket, client, request))
+            client.cut = lambda: _cut(request)
+            sender = asyncio.create_task(self._send(socket, client))
             async for message in socket:
                 if message.type == WSMsgType.BINARY:
                     self.hub.stick(client, message.data)
@@ -212,21 +213,24 @@ class Server:
                 sender.cancel()
         return socket
 
-    async def _send(self, socket: web.WebSocketResponse, client: Client, request: web.Request
-                    ) -> None:
+    async def _send(self, socket: web.WebSocketResponse, client: Client) -> None:
         """Send what waits for one page; a page that takes nothing is cut off."""
+        loop = asyncio.get_running_loop()
         while not client.closing:
             text = client.outbox.take()
             if text is None:
                 client.wake.clear()
                 await client.wake.wait()
                 continue
+            stuck = loop.call_later(STUCK_S, client.cut)    # ends the wait below
             try:
-                await asyncio.wait_for(socket.send_str(text), STUCK_S)
-            except (asyncio.TimeoutError, ConnectionError):
+                await socket.send_str(text)
+            except ConnectionError:
                 client.closing = 'STUCK'
-        if client.closing in ('SLOW', 'STUCK') and request.transport is not None:
-            request.transport.abort()
+            finally:
+                stuck.cancel()
+        if client.closing in ('SLOW', 'STUCK'):
+            client.cut()
             return
         await socket.close(code=1008, message=client.closing.encode())
 
@@ -236,6 +240,11 @@ class _NoRoom(asyncio.Protocol):
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
         transport.abort()
+
+
+def _cut(request: web.Request) -> None:
+    if request.transport is not None:
+        request.transport.abort()
 
 
 def _bearer(request: web.Request) -> str | None:
