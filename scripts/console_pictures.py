@@ -31,7 +31,7 @@ def main() -> None:
     try:
         with playwright()() as play:
             browser = play.chromium.launch(executable_path=chromium(), args=FLAGS)
-            page = open_page(browser, console)
+            page = open_page(browser, console, look='fine')
             page.set_viewport_size(SIZE)
             take_and_start(page, 'shared')
             fly_by_keys(page, over='rvd.store.frame.t > 62')

@@ -105,17 +105,18 @@ def until(page, condition: str, timeout: float = 60.0) -> None:
         page.wait_for_timeout(50)
 
 
-def open_page(browser, console: Console, plain: bool = False, **options):
+def open_page(browser, console: Console, look: str = '', **options):
     """
     Return a page that is connected; errors of its scripts are kept in `page.problems`.
 
-    A `plain` one draws no scene: software rendering costs a test machine most of its time.
+    A 'plain' one draws no scene: software rendering costs a test machine most of its time. A
+    'fine' one draws it as if there were a graphics processor.
     """
     page = browser.new_page(viewport={'width': 960, 'height': 540}, **options)
     page.problems = []
     page.on('pageerror', lambda error: page.problems.append(str(error)))
     page.on('console', lambda m: page.problems.append(m.text) if m.type == 'error' else None)
-    page.goto(console.url.replace('/#', '/?plain#') if plain else console.url)
+    page.goto(console.url.replace('/#', f'/?{look}#'))
     until(page, 'window.rvd?.store.connected')
     return page
 

@@ -48,7 +48,7 @@ def console(tmp_path_factory, browser):
 @pytest.fixture(scope='module')
 def flown(console, browser):
     """A flight by keys, and what was seen on the way."""
-    other = open_page(browser, console, plain=True)
+    other = open_page(browser, console, look='plain')
     page = open_page(browser, console)
     take_and_start(page)
     until(page, 'rvd.store.frame && rvd.store.frame.t > 15')
@@ -119,7 +119,7 @@ def test_a_recorded_run_is_reviewed_with_its_truth(flown, console, browser):
 
 
 def test_a_gamepad_flies_only_while_its_dead_man_is_held(console, browser):
-    page = open_page(browser, console, plain=True)
+    page = open_page(browser, console, look='plain')
     page.add_init_script(PAD)
     page.reload()
     until(page, 'window.rvd?.store.connected')
@@ -135,8 +135,8 @@ def test_a_gamepad_flies_only_while_its_dead_man_is_held(console, browser):
 
 
 def test_a_lost_page_is_a_lost_pilot_and_abort_needs_no_lease(console, browser):
-    watcher = open_page(browser, console, plain=True)
-    page = open_page(browser, console, plain=True)
+    watcher = open_page(browser, console, look='plain')
+    page = open_page(browser, console, look='plain')
     take_and_start(page, 'shared', 8)
     until(page, 'rvd.store.frame.t > 12')
     run = console.folder / 'runs' / page.evaluate('rvd.store.status.run')
@@ -165,7 +165,7 @@ def test_a_lost_page_is_a_lost_pilot_and_abort_needs_no_lease(console, browser):
 
 
 def test_pause_stops_simulation_time_and_resume_goes_on(console, browser):
-    page = open_page(browser, console, plain=True)
+    page = open_page(browser, console, look='plain')
     take_and_start(page, 'auto', 9)
     until(page, 'rvd.store.frame.t > 5')
     page.keyboard.press('p')
@@ -215,7 +215,7 @@ def test_what_the_console_cannot_do_is_one_line(tmp_path, args, words):
 
 
 def test_axe_finds_nothing_serious(console, browser, console_web):
-    page = open_page(browser, console, plain=True, bypass_csp=True)
+    page = open_page(browser, console, look='plain', bypass_csp=True)
     page.keyboard.press('Escape')
     for dialog in (None, '#open-help', '#open-settings'):
         if dialog:

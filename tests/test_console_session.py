@@ -51,7 +51,7 @@ def test_a_volunteer_is_led_through_a_session_and_the_report_counts_it(tmp_path,
         console = Console(tmp_path, 'barrier', '--pace', '20', '--session', 'session.yaml',
                           '--out', 'people')
         try:
-            page = open_page(browser, console, plain=True, bypass_csp=True)     # for axe
+            page = open_page(browser, console, look='plain', bypass_csp=True)     # for axe
 
             def look():
                 assert serious(page, console_web) == []

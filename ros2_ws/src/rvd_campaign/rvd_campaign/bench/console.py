@@ -232,8 +232,9 @@ def _console_pid(parent: int) -> int:
 
 
 async def _watch(url: str) -> None:
-    """Be all the watchers, in a process of their own."""
+    """Be all the watchers, in a process that leaves the cores to the others: they sit elsewhere."""
     import aiohttp
+    os.nice(19)
     address, token = url.split('/#')
     async with aiohttp.ClientSession() as session:
         async def one() -> None:
