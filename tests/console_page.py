@@ -56,8 +56,8 @@ def web_sources(folder: Path) -> Path:
     """Copy the sources of the page to `folder` with the packages that its lock names."""
     web = folder / 'console_web'
     shutil.copytree(WEB, web, ignore=shutil.ignore_patterns('node_modules'))
-    done = subprocess.run([npm(), 'install', '--no-save', '--no-progress'], cwd=web, capture_output=True, text=True,
-                          timeout=300)
+    done = subprocess.run([npm(), 'install', '--no-save', '--no-progress'], cwd=web,
+                          capture_output=True, text=True, timeout=300)
     if done.returncode:
         _missing('npm install did not work: ' + done.stderr.strip()[-300:])
     return web

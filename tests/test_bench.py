@@ -56,6 +56,9 @@ def test_bench_leaves_its_figures_as_json(tmp_path):
     assert content['machine']['cores'] >= 1
     assert content['loop']['steps'] > 200 and 0.0 < content['loop']['alone_s'] < 10.0
     assert 'one run of' in done.stdout
+    lines = done.stdout.splitlines()
+    assert not [text for text in lines if text.endswith(' met')]
+    assert [text for text in lines if text.startswith('quick:')]
 
 
 @pytest.mark.slow

@@ -92,7 +92,8 @@ def _add_report(commands: argparse._SubParsersAction) -> None:
         'report', help='make the report of a run or a campaign again',
         description='Write report.html of a run from its bag alone, or of a campaign from its '
                     'results.')
-    report.add_argument('folder', metavar='RUN', help='a run, a bag, a campaign or a session folder')
+    report.add_argument('folder', metavar='RUN',
+                        help='a run, a bag, a campaign or a session folder')
     report.set_defaults(run=_report)
 
 

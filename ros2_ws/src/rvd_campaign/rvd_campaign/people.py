@@ -174,8 +174,8 @@ def _page(session: dict[str, Any], table: list[Condition], flights: list[dict[st
     weighted = any(c.tlx_weighted is not None for c in table)
     rows = ''.join(_row(c, weighted) for c in table)
     more_head = '<th>NASA-TLX, weighted</th>' if weighted else ''
-    more_words = (' Weighted: by how often a volunteer chose each scale in the 15 pairs, asked once '
-                  'for each condition.' if weighted else '')
+    more_words = (' Weighted: by how often a volunteer chose each scale in the 15 pairs, asked '
+                  'once for each condition.' if weighted else '')
     return f'''<!doctype html><html lang="en"><head><meta charset="utf-8">
 <title>{escape(session['title'])}</title><style>{STYLE}</style></head><body>
 <header><h1>{escape(session['title'])}</h1><p>{len(people)} volunteers, {len(flights)} rated

@@ -1,7 +1,6 @@
 """The loop against the graph's parts strung together one run at a time, and by its numbers."""
 
 from dataclasses import fields, replace
-from time import process_time
 
 import numpy as np
 from numpy.testing import assert_array_equal
@@ -274,17 +273,6 @@ def test_printed_variants_do_what_the_documentation_says():
     assert rates['ascent'].success.mean() == pytest.approx(0.246, abs=0.035)
     assert (rates['along x'].reason == 'closing_rate').mean() == pytest.approx(0.124, abs=0.025)
     assert rates['truncate'].success.mean() == pytest.approx(0.795, abs=0.03)
-
-
-def test_single_flight_is_quick():
-    s = settings()
-    fly(s, [0])                                     # imports, gain schedule
-    times = []
-    for run in range(5):
-        begin = process_time()
-        fly(s, [run])
-        times.append(process_time() - begin)
-    assert min(times) < 0.2
 
 
 def test_impossible_flights_are_refused():

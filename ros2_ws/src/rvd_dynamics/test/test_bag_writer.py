@@ -1,13 +1,10 @@
 """The bag: what was given is there, for readers that are not ours, whatever ends the writer."""
 
-import json
 import os
 from pathlib import Path
 import signal
-import struct
 import subprocess
 import sys
-import time
 
 from mcap.reader import make_reader
 from mcap.records import Footer, Message
@@ -350,14 +347,11 @@ def test_a_disk_that_is_nearly_full_is_left_to_what_is_worth_it(tmp_path, monkey
         assert sum(1 for _ in reader.messages()) == reader.message_count == len(stored(bag.path))
 
 
-def test_a_message_costs_less_than_60_microseconds(tmp_path):
+def test_a_message_takes_31_bytes_on_the_disk_besides_itself(tmp_path):
     bag = write(tmp_path / 'bag', [], close=False)
     data = serialize_message(command(1))
-    spent = []
-    for _ in range(5):
-        begin = time.perf_counter()
-        for k in range(1000):
-            bag.write(COMMAND, data, k, k)
-        spent.append((time.perf_counter() - begin) / 1000)
-    assert min(spent) < 60e-6, json.dumps(spent)
-    assert struct.calcsize('<BQHIQQ') == 31     # what a message costs on the disk besides itself
+    bag.write(COMMAND, data, 0, 0)              # with the schema of its topic
+    before = bag.path.stat().st_size
+    for k in range(100):
+        bag.write(COMMAND, data, k, k)
+    assert bag.path.stat().st_size - before == 100 * (31 + len(data))

@@ -12,7 +12,6 @@ import numpy as np
 import pytest
 import rclpy
 from rclpy.executors import SingleThreadedExecutor
-from rclpy.serialization import serialize_message
 import yaml
 
 from rvd_dynamics.mission import Mission
@@ -159,12 +158,3 @@ def test_markers_follow_a_run_and_end_with_it(monkeypatch):
     assert 3 <= len(seen['/viz/ghost']) <= 10 * took + 2        # at most ten a second
     assert len(seen['/viz/corridor']) == 1 and isinstance(seen['/viz/corridor'][0], MarkerArray)
     assert len(seen['/viz/trail/estimate'][-1].poses) <= 200
-
-
-def test_a_picture_is_cheap():
-    message = serialize_message(state(np.eye(6)))
-    begin = time.process_time()
-    for _ in range(20):
-        from rclpy.serialization import deserialize_message
-        markers.body(deserialize_message(message, RelativeState), 'ghost', (0, 0, 1), 2.0)
-    assert (time.process_time() - begin) / 20 < 5e-3

@@ -39,7 +39,9 @@ def main(args: argparse.Namespace) -> int:
         content[name] = measure(args.quick)
         print(f'\n{name}')
         for row in rows(content[name]):
-            print(line(row), flush=True)
+            print(line(row._replace(met=None) if args.quick else row), flush=True)
+    if args.quick:
+        print('\nquick: too little was measured to hold against the targets')
     if args.out:
         Path(args.out).write_text(json.dumps(content, indent=2) + '\n', encoding='utf-8')
         print(f'\n{args.out}')
