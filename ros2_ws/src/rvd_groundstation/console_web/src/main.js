@@ -39,9 +39,6 @@ const stick = new Stick((state, now) => link?.stick(state, now));
 const desk = new Desk(link);
 const review = new Review(link, scene, charts, () => refreshRun());
 
-if (link) link.listen(take);
-else dialogs.message(S.no_token_title, S.no_page_token);
-
 function take(message) {
   if (message.type === 'desk') {
     desk.show(message, store.status.lease === 'you');
@@ -288,5 +285,7 @@ function showReticle() {
 }
 
 showStatus();
+if (link) link.listen(take);
+else dialogs.message(S.no_token_title, S.no_page_token);
 requestAnimationFrame(draw);
 window.rvd = { store, scene, stick, review, link }; // for tests and the curious
