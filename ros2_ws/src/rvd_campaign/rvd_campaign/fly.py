@@ -195,11 +195,11 @@ class Flight:
         run of a few steps can be over before it has found the others. Only a verdict that came
         after the recorder had died is known here alone.
         """
-        topics = {'verdict': '/run/verdict', **bag.LINKS}
+        topics = ('/run/verdict', *bag.LINKS.values())
         try:
-            last = bag.newest(self._run_dir, topics.values())
+            last = bag.newest(self._run_dir, topics)
         except ValueError:                      # no bag: ended before there was one
-            last = dict.fromkeys(topics.values())
+            last = dict.fromkeys(topics)
         judged = last['/run/verdict']
         return (judged if self._is_final(judged) else self._watch.verdict or judged,
                 {name: last[topic] for name, topic in bag.LINKS.items()})

@@ -9,7 +9,8 @@ export const COLOUR = {
 
 // Whether WebGL is drawn by the processor: there each picture of a canvas that goes through it
 // costs more than drawing it at once, and so does every smoothed edge.
-export const SOFTWARE = !new URLSearchParams(location.search).has('fine') && /swiftshader|llvmpipe|softpipe|software|basic render/i.test(renderer());
+export const SOFTWARE = !new URLSearchParams(location.search).has('fine')
+  && /swiftshader|llvmpipe|softpipe|software|basic render/i.test(renderer());
 
 function renderer() {
   const gl = document.createElement('canvas').getContext('webgl2');
