@@ -54,16 +54,18 @@ def test_a_killed_node_is_named_and_the_run_ends_with_2(victim, flying, tmp_path
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize('victim', ['auto_controller', 'link_back', 'bag_recorder'])
-def test_a_hung_node_is_named_and_the_run_ends_with_2(victim, flying, tmp_path):
+@pytest.mark.parametrize('victim, scenario', [
+    ('auto_controller', 'paper'), ('link_back', 'paper'), ('bag_recorder', 'paper'),
+    ('operator_model', 'barrier')])             # there the law waits for the stick, too
+def test_a_hung_node_is_named_and_the_run_ends_with_2(victim, scenario, flying, tmp_path):
     """A stalled step in lock step: 10 s of patience, then the name of the node that owes it."""
-    process = flying('--pace', 'lockstep')
+    process = flying(scenario, '--pace', 'lockstep')
     pid = node_pid(process.pid, victim)
     bag_grows(tmp_path / 'run', 200_000)
     os.kill(pid, signal.SIGSTOP)
     assert process.wait(60.0) == 2
     said = (tmp_path / 'out').read_text()
-    assert f'{victim} owes a message' in said, said
+    assert f'wall time: {victim} owes a message' in said, said
     assert not alive(pid)
 
 

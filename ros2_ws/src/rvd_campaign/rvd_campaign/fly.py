@@ -179,7 +179,8 @@ class Flight:
                 return (f'the graph did not come up in {START_S:g} s: not ready: '
                         f'{", ".join(waiting) or "spacecraft_dynamics"}')
             if self._stalled(now):
-                owing = self._watch.who_owes(list(self._supervisor.pids))
+                law = self._scenario.settings('auto_controller').selected
+                owing = self._watch.who_owes(list(self._supervisor.pids), law.uses_stick)
                 return (f'no step for {STALL_S:g} s of wall time: '
                         f'{", ".join(owing) or "no node"} owes a message')
 

@@ -108,7 +108,7 @@ class FlightWatch:
                 f'transit {delay:4.2f} s, loop {loop:g} s  y {p.y:5.2f} z {p.z:5.2f} m'
                 + ('  PAUSED' if self.paused else ''))
 
-    def who_owes(self, nodes: list[str]) -> list[str]:
+    def who_owes(self, nodes: list[str], law_uses_stick: bool) -> list[str]:
         """
         Return the nodes that owe a message, from the last step that each topic remembers.
 
@@ -135,7 +135,8 @@ class FlightWatch:
         while known < sum(last.values()):
             known = sum(last.values())
             self.spin(SETTLE_S)
-        return graph.who_owes(last, nodes, self._mission.operator, self._mission.joy_input)
+        return graph.who_owes(last, nodes, self._mission.operator, self._mission.joy_input,
+                              law_uses_stick)
 
     def close(self) -> None:
         """Leave the graph."""

@@ -33,8 +33,10 @@ def test_every_input_of_the_ring_is_emitted_by_the_ring(operator, joy_input):
 
 
 @pytest.mark.parametrize('operator, joy_input', OPERATORS)
-def test_ring_fires_every_node_once_per_step_without_a_deadlock(operator, joy_input):
-    assert fired(operator, joy_input, steps=5) == {
+@pytest.mark.parametrize('uses_stick', [False, True])
+def test_ring_fires_every_node_once_per_step_without_a_deadlock(operator, joy_input,
+                                                               uses_stick):
+    assert fired(operator, joy_input, uses_stick, steps=5) == {
         name: 5 for name in graph.ring(operator)}
 
 
@@ -53,13 +55,13 @@ def test_unknown_node_is_refused_by_name():
         graph.spec_of('frobnicator', 'model', 'stepped')
 
 
-@given(st.sampled_from(OPERATORS), st.data())
-def test_a_node_that_stops_is_the_one_that_owes(pilot, data):
+@given(st.sampled_from(OPERATORS), st.booleans(), st.data())
+def test_a_node_that_stops_is_the_one_that_owes(pilot, uses_stick, data):
     operator, joy_input = pilot
     dead = data.draw(st.sampled_from(graph.ring(operator)))
     until = data.draw(st.integers(0, 20))
-    last = last_steps(operator, joy_input, dead, until)
-    owing = graph.who_owes(last, graph.ring(operator), operator, joy_input)
+    last = last_steps(operator, joy_input, uses_stick, dead, until)
+    owing = graph.who_owes(last, graph.ring(operator), operator, joy_input, uses_stick)
     assert owing == [dead]
 
 
@@ -72,7 +74,7 @@ def test_a_recorder_that_is_far_behind_owes():
     assert 'bag_recorder' not in graph.who_owes(last, names, 'model', 'stepped')
 
 
-def fired(operator, joy_input, steps, dead=None, dead_from=0):
+def fired(operator, joy_input, uses_stick, steps, dead=None, dead_from=0):
     """Play the data flow by hand: how often each node has fired when nothing moves any more."""
     names = graph.ring(operator)
     count = dict.fromkeys(names, 0)
@@ -82,14 +84,15 @@ def fired(operator, joy_input, steps, dead=None, dead_from=0):
         k = count[name]
         return k < steps and not (name == dead and k >= dead_from) and all(
             k < lag or count[writer[topic]] > k - lag
-            for topic, lag in graph.spec_of(name, operator, joy_input).fires_on)
+            for topic, lag in graph.spec_of(
+                name, operator, joy_input, uses_stick).fires_on)
 
     while ready := [n for n in names if may_fire(n)]:
         count[ready[0]] += 1
     return count
 
 
-def last_steps(operator, joy_input, dead, until):
-    count = fired(operator, joy_input, until + 30, dead, until)
+def last_steps(operator, joy_input, uses_stick, dead, until):
+    count = fired(operator, joy_input, uses_stick, until + 30, dead, until)
     return {topic: count[name] - 1 for name in count
             for topic in itertools.chain(graph.NODES[name].emits)}

@@ -168,7 +168,7 @@ def expected(topic: str, nodes: Iterable[str], operator: str, joy_input: str) ->
 
 
 def who_owes(last: dict[str, int], nodes: Iterable[str], operator: str,
-             joy_input: str) -> list[str]:
+             joy_input: str, law_uses_stick: bool = False) -> list[str]:
     """
     Name the nodes whose inputs are complete and whose output is missing.
 
@@ -186,7 +186,7 @@ def who_owes(last: dict[str, int], nodes: Iterable[str], operator: str,
     for name in names:
         if name not in NODES or not NODES[name].emits:
             continue
-        spec = spec_of(name, operator, joy_input)
+        spec = spec_of(name, operator, joy_input, law_uses_stick)
         stepped = [topic for topic in spec.emits if topic != '/clock']
         due = min(seen(topic) for topic in stepped) + 1
         if all(seen(topic) >= due - lag for topic, lag in spec.fires_on):
