@@ -117,6 +117,22 @@ def test_only_the_lease_flies_and_abort_needs_none():
     run(work())
 
 
+def test_who_takes_the_stick_hears_the_whole_ladder():
+    """Changes are told to pilot and watchers apart, so a watcher may have missed the pilot's."""
+    async def work():
+        async with House() as house, house.socket() as page:
+            house.hub.post('command', 0, 7, 0, [1, 0, 0], 0, 1.0, 0)
+            await ask(page, do='ping')
+            await asyncio.sleep(0.1)            # the rung has gone out by now
+            await page.send_str(json.dumps({'id': 5, 'do': 'take'}))
+            heard = []
+            while not heard or heard[-1]['type'] != 'reply':
+                heard.append(json.loads((await page.receive(5.0)).data))
+            ladders = [m['ladder'] for m in heard if m['type'] == 'ladder']
+            assert len(ladders) == 1 and [rung[0] for rung in ladders[0]] == [7]
+    run(work())
+
+
 def test_o4_a_lost_page_lets_go_of_the_stick_at_once():
     async def work():
         async with House() as house:
