@@ -7,8 +7,8 @@ Make the picture of the README again from a run.
 import sys
 from pathlib import Path
 
-from rvd_campaign.bag import read
-from rvd_campaign.figures import approach_picture
+from rvd_dynamics.recording.reader import read
+from rvd_campaign.report.figures import approach_picture
 
 IMAGES = Path(__file__).resolve().parents[1] / 'docs' / 'images'
 

@@ -10,7 +10,7 @@ from runs import rvd
 from rvd_campaign.bench import graph, line, Row
 from rvd_campaign.bench.bare import prebuilt, set_step
 from rvd_dynamics.mission import Mission
-from rvd_dynamics.ros.graph import NODES
+from rvd_dynamics.diagram.ros.graph import NODES
 
 STEPPED = sorted({topic for spec in NODES.values() for topic in spec.emits})
 

@@ -12,7 +12,7 @@ from rclpy.context import Context
 from rclpy.executors import SingleThreadedExecutor
 from runs import ROOT
 
-from rvd_dynamics.ros import graph, qos
+from rvd_dynamics.diagram.ros import graph, qos
 from rvd_interfaces.msg import RelativeState, ThrustCommand, Verdict
 from rvd_interfaces.srv import RunControl
 from sensor_msgs.msg import Joy

@@ -8,7 +8,7 @@ import pytest
 from runs import (
     alive, end, messages, node_pid, pids_under, start_rvd, verdict_of, wait_for)
 
-from rvd_campaign.bag import read
+from rvd_dynamics.recording.reader import read
 
 
 @pytest.fixture
@@ -101,7 +101,7 @@ def test_a_node_that_hangs_after_the_flight_does_not_take_the_verdict_with_it(mo
     """The supervisor is played here: hanging in the middleware cannot be had on demand."""
     from types import SimpleNamespace
 
-    from rvd_campaign import fly
+    from rvd_campaign.flight import fly
     monkeypatch.setattr(fly, 'END_S', 0.1)
     flight = object.__new__(fly.Flight)
     flight._headless, flight._on_line = True, False

@@ -8,7 +8,7 @@ import pytest
 import yaml
 from runs import counts, messages, rvd, states, verdict_of
 
-from rvd_dynamics.ros import graph
+from rvd_dynamics.diagram.ros import graph
 
 BALANCE = ('delivered', 'late', 'lost', 'outage', 'duplicate_dropped', 'in_flight', 'queued')
 

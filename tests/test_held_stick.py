@@ -6,7 +6,7 @@ import pytest
 from sensor_msgs.msg import Joy
 from test_by_hand import Hand
 
-from rvd_dynamics.ros import qos
+from rvd_dynamics.diagram.ros import qos
 from rvd_interfaces.msg import ThrustCommand
 
 DOMAIN = 73

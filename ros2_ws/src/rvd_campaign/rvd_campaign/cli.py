@@ -166,7 +166,7 @@ def _add_bench(commands: argparse._SubParsersAction) -> None:
 
 
 def _fly(args: argparse.Namespace) -> int:
-    from rvd_campaign import fly
+    from rvd_campaign.flight import fly
     return fly.main(args)
 
 
@@ -175,14 +175,14 @@ def _report(args: argparse.Namespace) -> int:
 
     folder = Path(args.folder)
     if (folder / 'session.json').is_file():
-        from rvd_campaign.people import write_session_report
+        from rvd_campaign.report.people import write_session_report
         print(write_session_report(folder))
         return EXIT_DONE
     if (folder / 'campaign.json').is_file():
         from rvd_campaign.campaign.report import write_campaign_report
         print(write_campaign_report(folder))
         return EXIT_DONE
-    from rvd_campaign.report import write_report
+    from rvd_campaign.report.run import write_report
     print(write_report(folder))
     return EXIT_DONE
 

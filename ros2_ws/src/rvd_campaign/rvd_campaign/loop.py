@@ -22,15 +22,15 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from rvd_dynamics import streams
+from rvd_dynamics.diagram import streams
 from rvd_dynamics.judge import Judge, Verdict
 from rvd_dynamics.link.models import LinkParams
 from rvd_dynamics.link.plan import intact_of_runs
 from rvd_dynamics.mission import Mission
-from rvd_dynamics.orbit.models import TRUTH_MODELS
-from rvd_dynamics.spacecraft.levels import stick_levels
-from rvd_dynamics.spacecraft.thrusters import execute
-from rvd_dynamics.world import DynamicsParams, SensorParams
+from rvd_dynamics.world.plants.relative import TRUTH_MODELS
+from rvd_dynamics.commands.levels import stick_levels
+from rvd_dynamics.world.spacecraft.thrusters import execute
+from rvd_dynamics.world.settings import DynamicsParams, SensorParams
 from rvd_groundstation.guidance import Law
 from rvd_groundstation.operators.pilot import Pilot, PilotParams
 from rvd_groundstation.operators.tape import Tape

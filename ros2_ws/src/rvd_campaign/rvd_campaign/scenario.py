@@ -14,12 +14,12 @@ from typing import Any
 import yaml
 
 from rvd_campaign.loop import LoopSettings
-from rvd_dynamics.guard.guard import GuardParams
+from rvd_dynamics.onboard.guard.guard import GuardParams
 from rvd_dynamics.link.models import LinkParams
 from rvd_dynamics.mission import Mission
-from rvd_dynamics.params import build, dotted, flatten, leaves
+from rvd_dynamics.diagram.params import build, dotted, flatten, leaves
 from rvd_dynamics.recording.params import MarkerParams, RecorderParams
-from rvd_dynamics.world import DynamicsParams, SensorParams
+from rvd_dynamics.world.settings import DynamicsParams, SensorParams
 from rvd_groundstation.operators.pilot import PilotParams
 from rvd_groundstation.prediction.predictor import PredictorParams
 from rvd_groundstation.settings import BlenderParams, ControllerParams, ReplayParams

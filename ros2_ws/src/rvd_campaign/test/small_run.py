@@ -8,11 +8,11 @@ from rosgraph_msgs.msg import Clock
 from sensor_msgs.msg import Joy
 from std_msgs.msg import String, UInt64
 
-from rvd_dynamics import codes
+from rvd_dynamics.commands import codes
 from rvd_dynamics.recording.bag_writer import BagWriter
 from rvd_dynamics.recording.rosbag2 import qos_words
-from rvd_dynamics.ros import graph
-from rvd_dynamics.ros.conversions import header_at, state_to_msg, time_at, vector
+from rvd_dynamics.diagram.ros import graph
+from rvd_dynamics.diagram.ros.conversions import header_at, state_to_msg, time_at, vector
 from rvd_interfaces.msg import (
     LinkFrame, LinkStatus, PredictionScore, RelativeState, RunEvent, ThrustCommand, Verdict)
 

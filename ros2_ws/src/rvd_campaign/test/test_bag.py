@@ -9,9 +9,9 @@ from rosbags.rosbag2 import Reader
 import small_run
 from small_run import HOLD, LAST, LOST, write_run
 
-from rvd_campaign import bag
-from rvd_campaign.bag import files_of, mission_of, read
-from rvd_dynamics import codes
+from rvd_dynamics.recording import reader
+from rvd_dynamics.recording.reader import files_of, mission_of, read
+from rvd_dynamics.commands import codes
 
 
 @pytest.fixture(scope='module')
@@ -25,8 +25,8 @@ def recording(run):
 
 
 def test_counts_are_those_of_an_independent_reader_and_of_what_was_published(run, recording):
-    with Reader(run / 'bag') as reader:
-        independent = {c.topic: c.msgcount for c in reader.connections}
+    with Reader(run / 'bag') as opened:
+        independent = {c.topic: c.msgcount for c in opened.connections}
     published = {}
     for topic, _, _ in small_run.messages():
         published[topic] = published.get(topic, 0) + 1
@@ -34,7 +34,7 @@ def test_counts_are_those_of_an_independent_reader_and_of_what_was_published(run
     assert {t: n for t, n in recording.counts.items() if n} == published
 
 
-@pytest.mark.parametrize('name, topic', bag.STATES.items())
+@pytest.mark.parametrize('name, topic', reader.STATES.items())
 def test_states_are_those_published(recording, name, topic):
     series = getattr(recording, name)
     sent = [small_run.step_messages(k)[topic] for k in range(LAST + 1)]
@@ -54,7 +54,7 @@ def test_truth_carries_the_executed_acceleration_and_nothing_else_does(recording
     assert np.isnan(recording.prediction.accel).all()
 
 
-@pytest.mark.parametrize('name, topic', bag.COMMANDS.items())
+@pytest.mark.parametrize('name, topic', reader.COMMANDS.items())
 def test_commands_are_those_published(recording, name, topic):
     series = getattr(recording, name)
     sent = [small_run.step_messages(k)[topic] for k in range(LAST + 1)]
@@ -99,7 +99,7 @@ def test_steps_that_are_not_in_the_bag_are_counted_by_topic(tmp_path):
 
 def test_a_topic_that_the_run_owed_and_never_came_is_counted_too(tmp_path):
     given = [m for m in small_run.messages() if m[0] != '/ground/estimate']
-    owed = {topic: '0' for topic in bag.OWED}
+    owed = {topic: '0' for topic in reader.OWED}
     found = read(write_run(tmp_path, given, notes={'rvd_missing': owed}))
     assert found.missing['/ground/estimate'] == LAST + 1
 

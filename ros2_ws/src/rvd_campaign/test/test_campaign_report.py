@@ -19,7 +19,7 @@ from rvd_campaign.campaign.progress import Progress
 from rvd_campaign.campaign.report import page, write_campaign_report
 from rvd_campaign.campaign.spec import CampaignError, parse_campaign
 from rvd_campaign.campaign.summary import finish, in_words, SUMMARY
-from rvd_campaign.figures import drawn, STYLE
+from rvd_campaign.report.figures import drawn, STYLE
 
 TEXT = '''
 # Two <conditions> & a grid

@@ -7,14 +7,14 @@ from math import exp, inf, sqrt
 import numpy as np
 import pytest
 
-from rvd_campaign.ceiling import _of, _World, best_margin, ceiling, main
+from rvd_campaign.campaign.ceiling import _of, _World, best_margin, ceiling, main
 from rvd_campaign.loop import fly, LoopSettings
 from rvd_dynamics.judge import Judge
 from rvd_dynamics.link.models import LinkParams
 from rvd_dynamics.mission import Mission
-from rvd_dynamics.orbit.models import Cw
-from rvd_dynamics.spacecraft.levels import acceleration
-from rvd_dynamics.world import DynamicsParams, ScatterParams
+from rvd_dynamics.world.plants.relative import Cw
+from rvd_dynamics.commands.levels import acceleration
+from rvd_dynamics.world.settings import DynamicsParams, ScatterParams
 from rvd_groundstation.guidance.barrier import Barrier
 from rvd_groundstation.sharing import Filter
 

@@ -9,7 +9,7 @@ import pytest
 from rvd_campaign import catalogue
 from rvd_campaign.loop import fly
 from rvd_campaign.scenario import load
-from rvd_dynamics.params import leaves
+from rvd_dynamics.diagram.params import leaves
 
 PAGE = catalogue.root() / 'docs' / 'extending.md'
 
@@ -39,8 +39,8 @@ def test_law_of_the_page_refuses_what_is_impossible(my_law):
 
 def test_every_table_that_the_page_names_exists():
     from rvd_dynamics.link.models import MODELS
-    from rvd_dynamics.orbit.models import TRUTH_MODELS
-    from rvd_dynamics.sensors import SENSORS
+    from rvd_dynamics.world.plants.relative import TRUTH_MODELS
+    from rvd_dynamics.world.sensors import SENSORS
     from rvd_groundstation.guidance import LAWS
     from rvd_groundstation.prediction.filter import FILTERS
     from rvd_groundstation.sharing import SHARING

@@ -8,8 +8,8 @@ import pytest
 from scipy.optimize import brentq
 
 from rvd_campaign.loop import draw, fly, LoopSettings
-from rvd_dynamics import streams
-from rvd_dynamics.guard.guard import Guard
+from rvd_dynamics.diagram import streams
+from rvd_dynamics.onboard.guard.guard import Guard
 from rvd_dynamics.judge import Judge
 from rvd_dynamics.link.channel import Channel
 from rvd_dynamics.link.frame import (
@@ -18,10 +18,10 @@ from rvd_dynamics.link.models import LinkParams
 from rvd_dynamics.link.plan import draw_plan
 from rvd_dynamics.link.play_out import Frame
 from rvd_dynamics.mission import Mission
-from rvd_dynamics.orbit.models import TRUTH_MODELS
-from rvd_dynamics.spacecraft.levels import stick_levels
-from rvd_dynamics.spacecraft.thrusters import execute
-from rvd_dynamics.world import DynamicsParams, ScatterParams
+from rvd_dynamics.world.plants.relative import TRUTH_MODELS
+from rvd_dynamics.commands.levels import stick_levels
+from rvd_dynamics.world.spacecraft.thrusters import execute
+from rvd_dynamics.world.settings import DynamicsParams, ScatterParams
 from rvd_groundstation.guidance import LAWS
 from rvd_groundstation.operators.pilot import Pilot, PILOTS
 from rvd_groundstation.operators.tape import Tape

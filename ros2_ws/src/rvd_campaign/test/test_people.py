@@ -5,7 +5,7 @@ import json
 
 import pytest
 
-from rvd_campaign.people import conditions, is_session, pairs, read_flights, write_session_report
+from rvd_campaign.report.people import conditions, is_session, pairs, read_flights, write_session_report
 
 
 def flight(folder, who, number, condition, success, *, training=False, seed=1, offset=0.1,

@@ -10,10 +10,10 @@ import pytest
 import small_run
 from small_run import HOLD, LAST, write_run
 
-from rvd_campaign import figures
-from rvd_campaign.bag import read
-from rvd_campaign.page import CAPTIONS
-from rvd_campaign.report import page, write_report
+from rvd_campaign.report import figures
+from rvd_dynamics.recording.reader import read
+from rvd_campaign.report.page import CAPTIONS
+from rvd_campaign.report.run import page, write_report
 
 
 @pytest.fixture(scope='module')

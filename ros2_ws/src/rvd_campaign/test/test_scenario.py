@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from rvd_campaign import catalogue
 from rvd_campaign.scenario import load, parse, Scenario, ScenarioError, SETTINGS
-from rvd_dynamics.params import leaves
+from rvd_dynamics.diagram.params import leaves
 
 SHIPPED = sorted((catalogue.root() / 'scenarios').glob('*.yaml'))
 

@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rvd_dynamics.mission import OrbitParams
-from rvd_dynamics.params import param, require
+from rvd_dynamics.diagram.params import param, require
 
 
 @dataclass(frozen=True)

@@ -13,8 +13,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rvd_dynamics import arc
-from rvd_dynamics.excursion import Excursion
+from rvd_dynamics.geometry import arc
+from rvd_dynamics.geometry.excursion import Excursion
 from rvd_dynamics.mission import Mission
 
 # Of several reasons the lowest number is given.

@@ -12,7 +12,7 @@ from functools import cached_property
 from math import isfinite, pi, radians, sqrt, tan
 
 from rvd_dynamics.constants import MU_MOON
-from rvd_dynamics.params import param, require
+from rvd_dynamics.diagram.params import param, require
 
 MODES = ('manual', 'shared', 'auto')
 OPERATORS = ('model', 'replay', 'console', 'joy', 'none')

@@ -6,7 +6,7 @@ from numpy.testing import assert_allclose
 import pytest
 from scipy.interpolate import CubicHermiteSpline
 
-from rvd_dynamics import arc, corridor
+from rvd_dynamics.geometry import arc, cone
 from rvd_dynamics.mission import CorridorParams
 
 DT = 0.5
@@ -37,10 +37,10 @@ states = st.lists(st.floats(-1.0, 1.0), min_size=6, max_size=6)
 @given(states, states)
 def test_no_arc_comes_nearer_to_the_wall_than_its_control_points(start, end):
     points = arc.control_points(np.array(start)[:, np.newaxis], np.array(end)[:, np.newaxis], DT)
-    cone = CorridorParams()
-    hull = corridor.signed_distance(points[..., 0].T, cone).min()
+    shape = CorridorParams()
+    hull = cone.signed_distance(points[..., 0].T, shape).min()
     path = arc.position(points, np.linspace(0.0, 1.0, 101)[np.newaxis])[:, 0].T
-    assert corridor.signed_distance(path, cone).min() >= hull - 1e-14
+    assert cone.signed_distance(path, shape).min() >= hull - 1e-14
 
 
 @pytest.mark.parametrize('valley', [0.0, 0.01, 0.3, 0.5, 0.777, 1.0])

@@ -20,8 +20,8 @@ from std_msgs.msg import String, UInt64
 
 from rvd_dynamics.recording import mcap_file
 from rvd_dynamics.recording.bag_writer import repair
-from rvd_dynamics.ros import qos
-from rvd_dynamics.ros.conversions import header_at, time_at
+from rvd_dynamics.diagram.ros import qos
+from rvd_dynamics.diagram.ros.conversions import header_at, time_at
 from rvd_interfaces.msg import LinkFrame, RelativeState, RunEvent
 
 STEP_NS = 500_000_000

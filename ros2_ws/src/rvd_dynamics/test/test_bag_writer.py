@@ -23,8 +23,8 @@ from rvd_dynamics.recording.bag_writer import BagWriter, repair
 from rvd_dynamics.recording.rosbag2 import qos_words
 from rvd_dynamics.recording.steps import (
     HEADER_THEN_STEP, STAMP_FIRST, STEP_FIRST, StepLedger, step_reader)
-from rvd_dynamics.ros import graph
-from rvd_dynamics.ros.conversions import header_at, time_at
+from rvd_dynamics.diagram.ros import graph
+from rvd_dynamics.diagram.ros.conversions import header_at, time_at
 from rvd_interfaces import msg as interfaces
 from rvd_interfaces.msg import LinkFrame, ThrustCommand
 

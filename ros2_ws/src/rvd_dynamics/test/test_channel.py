@@ -8,7 +8,7 @@ from hypothesis import given, settings, strategies as st
 from hypothesis.stateful import initialize, invariant, rule, RuleBasedStateMachine
 import numpy as np
 import pytest
-from rvd_dynamics.guard.guard import Guard
+from rvd_dynamics.onboard.guard.guard import Guard
 from rvd_dynamics.link.channel import Channel, damaged, LinkCounts
 from rvd_dynamics.link.frame import Downlink, pack_command, pack_downlink, unpack_downlink
 from rvd_dynamics.link.models import Constant, Gamma, LinkParams

@@ -3,7 +3,7 @@
 from pathlib import Path
 import re
 
-from rvd_dynamics import codes
+from rvd_dynamics.commands import codes
 
 MESSAGE = Path(__file__).parents[2] / 'rvd_interfaces' / 'msg' / 'ThrustCommand.msg'
 

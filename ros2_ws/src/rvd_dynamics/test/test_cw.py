@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose
 import pytest
 from scipy.linalg import expm
 
-from rvd_dynamics.orbit import cw
+from rvd_dynamics.motion import cw
 
 N = 8.2071e-4                   # [rad/s] 200 km circular lunar orbit
 PERIOD = 2 * pi / N             # [s]

@@ -8,7 +8,7 @@ from zlib import crc32
 from hypothesis import example, given, settings, strategies as st
 import numpy as np
 import pytest
-from rvd_dynamics import codes
+from rvd_dynamics.commands import codes
 from rvd_dynamics.link import frame
 from rvd_dynamics.link.frame import (
     Command, COMMAND_BYTES, Downlink, DOWNLINK_BYTES, pack_command, pack_downlink, Refusal,

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rvd_dynamics.ros import graph
+from rvd_dynamics.diagram.ros import graph
 
 OPERATORS = [('model', 'stepped'), ('replay', 'stepped'), ('none', 'stepped'), ('joy', 'held')]
 

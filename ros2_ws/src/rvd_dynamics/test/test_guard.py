@@ -7,14 +7,14 @@ from zlib import crc32
 from hypothesis import given, settings, strategies as st
 from hypothesis.stateful import invariant, precondition, rule, RuleBasedStateMachine
 import pytest
-from rvd_dynamics.codes import (
+from rvd_dynamics.commands.codes import (
     KIND_ABORT, KIND_HOLD, KIND_RESUME, KIND_RETREAT, KIND_THRUST, REASON_ABORT, REASON_EMPTY,
     REASON_NONE)
-from rvd_dynamics.guard import guard as guard_module
-from rvd_dynamics.guard.guard import Guard, GuardParams
+from rvd_dynamics.onboard.guard import guard as guard_module
+from rvd_dynamics.onboard.guard.guard import Guard, GuardParams
 from rvd_dynamics.link.frame import Refusal
 from rvd_dynamics.mission import Mission
-from rvd_dynamics.params import build, flatten
+from rvd_dynamics.diagram.params import build, flatten
 
 T = 500_000_000                 # [ns] step of the default mission
 N = 10                          # forward delay of it [steps]

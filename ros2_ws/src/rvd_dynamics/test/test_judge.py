@@ -6,11 +6,11 @@ import pytest
 from scipy.interpolate import CubicHermiteSpline
 from scipy.optimize import brentq, minimize_scalar
 
-from rvd_dynamics import corridor
+from rvd_dynamics.geometry import cone
 from rvd_dynamics.judge import Judge, REASONS, Verdict
 from rvd_dynamics.mission import DockingParams, Mission
-from rvd_dynamics.orbit.models import Cw
-from rvd_dynamics.spacecraft.levels import acceleration
+from rvd_dynamics.world.plants.relative import Cw
+from rvd_dynamics.commands.levels import acceleration
 
 H = 0.5                                             # [s] step
 MISSION = Mission(step_s=H)
@@ -113,7 +113,7 @@ def test_the_reasons_are_those_of_the_message():
 
 def test_margin_of_a_straight_run_is_that_of_its_worst_end():
     v = judged([-1.03, 0.1, 0.0, 0.25, 0.0, 0.0])
-    expected = corridor.signed_distance([0.0, 0.1, 0.0], CONE)
+    expected = cone.signed_distance([0.0, 0.1, 0.0], CONE)
     assert v.min_corridor_margin == pytest.approx(expected, abs=1e-10)
 
 
@@ -129,7 +129,7 @@ def test_an_exit_is_timed_and_placed_and_does_not_end_the_run():
 
 def dense(start, accel):
     """Return the margin as a function of time under constant acceleration."""
-    return lambda t: float(corridor.signed_distance(straight(start, accel, t)[:3], CONE))
+    return lambda t: float(cone.signed_distance(straight(start, accel, t)[:3], CONE))
 
 
 @pytest.mark.parametrize('step_s', [0.05, 0.5, 1.0])
@@ -180,7 +180,7 @@ def test_the_last_way_to_the_plane_counts_for_the_margin():
                                 [[0.25, 0, 0], [0.25, 0.24, 0]])
     place = spline(0.46)
     assert v.offset == pytest.approx(place[1], abs=1e-9)
-    assert v.min_corridor_margin == pytest.approx(corridor.signed_distance(place, CONE), abs=1e-8)
+    assert v.min_corridor_margin == pytest.approx(cone.signed_distance(place, CONE), abs=1e-8)
 
 
 def test_leaving_just_before_the_docking_plane_counts():
@@ -198,7 +198,7 @@ def test_a_run_that_starts_outside_left_at_once():
     v = judged(start)
     assert (v.reason, v.exit_time) == ('left_corridor', 0.0)
     assert v.exit_position.tolist() == start[:3]
-    assert v.min_corridor_margin <= corridor.signed_distance(start[:3], CONE)
+    assert v.min_corridor_margin <= cone.signed_distance(start[:3], CONE)
 
 
 # -- other ends -------------------------------------------------------------------------------
@@ -313,7 +313,7 @@ def test_without_any_control_the_reference_approach_leaves_at_69_seconds():
     def offset(t):
         return 0.5*(1 - np.cos(n*t))/n
 
-    t = brentq(lambda t: offset(t) - corridor.radius(station(t), CONE), 10.0, 100.0, xtol=1e-12)
+    t = brentq(lambda t: offset(t) - cone.radius(station(t), CONE), 10.0, 100.0, xtol=1e-12)
     assert t == pytest.approx(68.9, abs=0.1) and station(t) == pytest.approx(-12.8, abs=0.05)
     assert v.reason == 'left_corridor' and v.exit_time == pytest.approx(t, abs=1e-7)
     assert_allclose(v.exit_position, [station(t), offset(t), 0.0], atol=1e-8)
@@ -361,7 +361,7 @@ def oracle(states, mission):
         end = brentq(lambda u: spline(u)[0], t[behind[0] - 1], t[behind[0]], xtol=1e-13)
 
     def margin(u):
-        return corridor.signed_distance(spline(u), CONE)
+        return cone.signed_distance(spline(u), CONE)
 
     flown = np.append(t[t < end], end)
     sampled = margin(flown)

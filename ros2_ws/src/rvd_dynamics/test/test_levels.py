@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from rvd_dynamics.mission import StickParams, ThrustParams
-from rvd_dynamics.spacecraft.levels import (acceleration, level_of_deflection, nearest_level,
+from rvd_dynamics.commands.levels import (acceleration, level_of_deflection, nearest_level,
                                             stick_levels)
 
 THRUST, STICK = ThrustParams(), StickParams()

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from rvd_dynamics.link.models import (
     Constant, Empirical, Gamma, LinkParams, MODELS, read_transits, Uniform)
-from rvd_dynamics.params import build, flatten, leaves
+from rvd_dynamics.diagram.params import build, flatten, leaves
 from scipy import stats
 
 HOLD_S = 5.0                    # [s] nT of the paper's legs

@@ -6,7 +6,7 @@ from event_queue import fly, sendings_of
 from hypothesis import given, strategies as st
 import numpy as np
 import pytest
-from rvd_dynamics import streams
+from rvd_dynamics.diagram import streams
 from rvd_dynamics.link.channel import damaged
 from rvd_dynamics.link.models import Constant, Empirical, Gamma, LinkParams, Uniform
 from rvd_dynamics.link.plan import draw_plan, intact_of_runs, LinkPlan

@@ -4,8 +4,8 @@ import numpy as np
 from numpy.testing import assert_allclose
 import pytest
 
-from rvd_dynamics import scene
-from rvd_dynamics.corridor import radius, signed_distance
+from rvd_dynamics.geometry import surfaces
+from rvd_dynamics.geometry.cone import radius, signed_distance
 from rvd_dynamics.mission import CorridorParams
 
 
@@ -18,13 +18,13 @@ def rotation_of(q):
 def test_corners_of_the_drawn_corridor_lie_on_its_wall():
     cone = CorridorParams()
     x = np.linspace(-32.0, 0.0, 9)
-    corners = scene.revolved(x, radius(x, cone), sectors=12).reshape(-1, 3)
+    corners = surfaces.revolved(x, radius(x, cone), sectors=12).reshape(-1, 3)
     assert_allclose(signed_distance(corners, cone), 0.0, atol=1e-12)
 
 
 def test_triangles_cover_the_surface_once():
     """The area of a many-sided prism comes near that of the cylinder, from below."""
-    triangles = scene.revolved([0.0, 1.0, 5.0], [2.0, 2.0, 2.0], sectors=200)
+    triangles = surfaces.revolved([0.0, 1.0, 5.0], [2.0, 2.0, 2.0], sectors=200)
     a, b, c = np.moveaxis(triangles, 1, 0)
     area = 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=-1).sum()
     assert 0.999 * 2 * np.pi * 2.0 * 5.0 < area < 2 * np.pi * 2.0 * 5.0
@@ -36,14 +36,14 @@ def test_quaternion_turns_as_its_matrix_does():
         q = rng.normal(size=4)
         q /= np.linalg.norm(q)
         matrix = rotation_of(q)
-        found = scene.quaternion(matrix)
+        found = surfaces.quaternion(matrix)
         assert_allclose(found * np.sign(found @ q), q, atol=1e-12)
 
 
 @pytest.mark.parametrize('turn', [np.eye(3), np.diag([1.0, -1, -1]), np.diag([-1.0, 1, -1]),
                                   np.diag([-1.0, -1, 1])])
 def test_quaternion_of_half_turns(turn):
-    assert_allclose(rotation_of(scene.quaternion(turn)), turn, atol=1e-15)
+    assert_allclose(rotation_of(surfaces.quaternion(turn)), turn, atol=1e-15)
 
 
 def test_ellipsoid_is_the_surface_of_constant_mahalanobis_distance():
@@ -51,7 +51,7 @@ def test_ellipsoid_is_the_surface_of_constant_mahalanobis_distance():
     for _ in range(50):
         a = rng.normal(size=(3, 3))
         covariance = a @ a.T + 1e-3 * np.eye(3)
-        half, q = scene.ellipsoid(covariance, 2.0)
+        half, q = surfaces.ellipsoid(covariance, 2.0)
         directions = rng.normal(size=(20, 3))
         directions /= np.linalg.norm(directions, axis=1, keepdims=True)
         points = (half * directions) @ rotation_of(q).T
@@ -60,5 +60,5 @@ def test_ellipsoid_is_the_surface_of_constant_mahalanobis_distance():
 
 
 def test_covariance_that_rounding_made_indefinite_draws_a_flat_ellipsoid():
-    half, _ = scene.ellipsoid(np.diag([1.0, 1.0, -1e-18]), 1.0)
+    half, _ = surfaces.ellipsoid(np.diag([1.0, 1.0, -1e-18]), 1.0)
     assert_allclose(np.sort(half), [0.0, 1.0, 1.0])

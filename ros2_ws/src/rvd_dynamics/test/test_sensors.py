@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from rvd_dynamics.sensors import Multiplicative
+from rvd_dynamics.world.sensors import Multiplicative
 
 STATE = np.array([-30.0, 0.5, -0.2, 0.25, 0.01, -0.03])
 

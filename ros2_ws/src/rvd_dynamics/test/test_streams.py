@@ -11,9 +11,9 @@ from statistics import NormalDist
 import numpy as np
 import pytest
 
-from rvd_dynamics import streams
+from rvd_dynamics.diagram import streams
 from rvd_dynamics.mission import Mission
-from rvd_dynamics.streams import PURPOSES
+from rvd_dynamics.diagram.streams import PURPOSES
 
 STEPS = 401
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from rvd_dynamics.mission import ThrustParams
-from rvd_dynamics.spacecraft.thrusters import execute
+from rvd_dynamics.world.spacecraft.thrusters import execute
 
 THRUST = ThrustParams()
 

@@ -11,14 +11,16 @@ import numpy as np
 from numpy.testing import assert_allclose
 import pytest
 
-from rvd_dynamics import corridor, frames
+from rvd_dynamics import frames
+from rvd_dynamics.geometry import cone
 from rvd_dynamics.mission import Mission
-from rvd_dynamics.orbit import cw
-from rvd_dynamics.orbit.models import TRUTH_MODELS
-from rvd_dynamics.params import build, flatten
-from rvd_dynamics.sensors import SENSORS
-from rvd_dynamics.spacecraft import levels, thrusters
-from rvd_dynamics.world import SensorParams
+from rvd_dynamics.motion import cw
+from rvd_dynamics.world.plants.relative import TRUTH_MODELS
+from rvd_dynamics.diagram.params import build, flatten
+from rvd_dynamics.world.sensors import SENSORS
+from rvd_dynamics.commands import levels
+from rvd_dynamics.world.spacecraft import thrusters
+from rvd_dynamics.world.settings import SensorParams
 
 MISSION = Mission()
 CONE, N = MISSION.corridor, MISSION.orbit.mean_motion
@@ -42,16 +44,16 @@ FUNCTIONS = {
     'cw.input_matrix': (lambda t: cw.input_matrix(N, t[..., 0]), [40*STATIONS]),
     'cw.step': (lambda s, u: cw.step(s, u, cw.transition(N, 0.5), cw.input_matrix(N, 0.5)),
                 [STATES, ACCELS]),
-    'corridor.radius': (lambda x: corridor.radius(x, CONE), [STATIONS]),
-    'corridor.signed_distance': (lambda p: corridor.signed_distance(p, CONE), [POSITIONS]),
-    'corridor.unsigned_distance': (lambda p: corridor.unsigned_distance(p, CONE), [POSITIONS]),
-    'corridor.outward_normal': (lambda p: corridor.outward_normal(p, CONE), [POSITIONS]),
-    'corridor.nearest_point': (lambda p: corridor.nearest_point(p, CONE), [POSITIONS]),
-    'corridor.ray_nearest_point': (lambda p: corridor.ray_nearest_point(p, CONE), [POSITIONS]),
+    'corridor.radius': (lambda x: cone.radius(x, CONE), [STATIONS]),
+    'corridor.signed_distance': (lambda p: cone.signed_distance(p, CONE), [POSITIONS]),
+    'corridor.unsigned_distance': (lambda p: cone.unsigned_distance(p, CONE), [POSITIONS]),
+    'corridor.outward_normal': (lambda p: cone.outward_normal(p, CONE), [POSITIONS]),
+    'corridor.nearest_point': (lambda p: cone.nearest_point(p, CONE), [POSITIONS]),
+    'corridor.ray_nearest_point': (lambda p: cone.ray_nearest_point(p, CONE), [POSITIONS]),
     'corridor.ray_nearest_point printed': (
-        lambda p: corridor.ray_nearest_point(p, CONE, printed=True), [POSITIONS]),
-    'corridor.control_boundary': (lambda x: corridor.control_boundary(x, CONE, N), [STATIONS]),
-    'corridor.drift_rate': (lambda y: corridor.drift_rate(y, N), [abs(STATIONS)]),
+        lambda p: cone.ray_nearest_point(p, CONE, printed=True), [POSITIONS]),
+    'corridor.control_boundary': (lambda x: cone.control_boundary(x, CONE, N), [STATIONS]),
+    'corridor.drift_rate': (lambda y: cone.drift_rate(y, N), [abs(STATIONS)]),
     'levels.acceleration': (lambda v: levels.acceleration(v, MISSION.thrust), [LEVELS]),
     'levels.nearest_level': (lambda a: levels.nearest_level(a, MISSION.thrust), [ACCELS]),
     'levels.level_of_deflection': (levels.level_of_deflection, [DEFLECTIONS]),

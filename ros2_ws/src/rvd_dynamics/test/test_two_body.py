@@ -7,9 +7,9 @@ from scipy.integrate import solve_ivp
 
 from rvd_dynamics import frames
 from rvd_dynamics.mission import Mission
-from rvd_dynamics.orbit import two_body
-from rvd_dynamics.orbit.models import Cw, TwoBody
-from rvd_dynamics.spacecraft.levels import acceleration
+from rvd_dynamics.motion import two_body
+from rvd_dynamics.world.plants.relative import Cw, TwoBody
+from rvd_dynamics.commands.levels import acceleration
 
 ORBIT = Mission().orbit
 N, RADIUS, MU = ORBIT.mean_motion, ORBIT.radius_m, ORBIT.gravitational_parameter_m3_s2

@@ -16,8 +16,8 @@ import yaml
 
 from rvd_dynamics.mission import Mission
 from rvd_dynamics.nodes import markers
-from rvd_dynamics.ros import graph, qos
-from rvd_dynamics.ros.conversions import state_to_msg
+from rvd_dynamics.diagram.ros import graph, qos
+from rvd_dynamics.diagram.ros.conversions import state_to_msg
 from rvd_interfaces.msg import RelativeState
 from visualization_msgs.msg import Marker, MarkerArray
 

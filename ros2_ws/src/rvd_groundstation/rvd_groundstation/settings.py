@@ -4,7 +4,7 @@ Settings of the ground nodes that pick a part from a table or a file.
 
 from dataclasses import dataclass
 
-from rvd_dynamics.params import choice, param
+from rvd_dynamics.diagram.params import choice, param
 from rvd_groundstation.guidance import LAWS
 from rvd_groundstation.sharing import SHARING
 

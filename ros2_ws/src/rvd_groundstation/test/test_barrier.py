@@ -9,11 +9,11 @@ import numpy as np
 from numpy.testing import assert_array_equal
 import pytest
 
-from rvd_dynamics.corridor import radius, signed_distance
+from rvd_dynamics.geometry.cone import radius, signed_distance
 from rvd_dynamics.mission import CorridorParams, Mission, ThrustParams
-from rvd_dynamics.orbit import cw
-from rvd_dynamics.ros.params import settings_of
-from rvd_dynamics.spacecraft.levels import acceleration
+from rvd_dynamics.motion import cw
+from rvd_dynamics.diagram.ros.params import settings_of
+from rvd_dynamics.commands.levels import acceleration
 from rvd_groundstation.guidance.barrier import Barrier, VIOLATION_WEIGHT
 from rvd_groundstation.settings import BlenderParams
 from rvd_groundstation.sharing import decide, Eq25, Filter

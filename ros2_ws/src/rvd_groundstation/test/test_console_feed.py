@@ -5,10 +5,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rvd_dynamics.corridor import signed_distance
+from rvd_dynamics.geometry.cone import signed_distance
 from rvd_dynamics.mission import Mission
-from rvd_dynamics.orbit.cw import propagate
-from rvd_dynamics.ros.graph import NODES
+from rvd_dynamics.motion.cw import propagate
+from rvd_dynamics.diagram.ros.graph import NODES
 from rvd_groundstation.console import feed as feed_module
 from rvd_groundstation.console.feed import Feed
 

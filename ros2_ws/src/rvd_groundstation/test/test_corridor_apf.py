@@ -7,7 +7,7 @@ import numpy as np
 from numpy.testing import assert_allclose, assert_array_equal
 import pytest
 
-from rvd_dynamics.corridor import control_boundary, nearest_point, radius, signed_distance
+from rvd_dynamics.geometry.cone import control_boundary, nearest_point, radius, signed_distance
 from rvd_dynamics.mission import Mission
 from rvd_groundstation.guidance.corridor_apf import CorridorApf
 

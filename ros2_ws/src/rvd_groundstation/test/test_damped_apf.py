@@ -4,7 +4,7 @@ import numpy as np
 from numpy.testing import assert_allclose, assert_array_equal
 import pytest
 
-from rvd_dynamics.corridor import outward_normal, signed_distance
+from rvd_dynamics.geometry.cone import outward_normal, signed_distance
 from rvd_dynamics.mission import Mission
 from rvd_groundstation.guidance.corridor_apf import CorridorApf
 from rvd_groundstation.guidance.damped_apf import DampedApf

@@ -6,9 +6,9 @@ import numpy as np
 from numpy.testing import assert_array_equal
 import pytest
 
-from rvd_dynamics.corridor import radius
+from rvd_dynamics.geometry.cone import radius
 from rvd_dynamics.mission import Mission
-from rvd_dynamics.params import leaves
+from rvd_dynamics.diagram.params import leaves
 from rvd_groundstation.guidance import LAWS
 
 MISSION = Mission()

@@ -8,7 +8,7 @@ from numpy.testing import assert_array_equal
 import pytest
 
 from rvd_dynamics.mission import Mission
-from rvd_dynamics.streams import pilot_draws, PilotDraws, skill_normal
+from rvd_dynamics.diagram.streams import pilot_draws, PilotDraws, skill_normal
 from rvd_groundstation.operators.pilot import Pilot, PilotParams, PILOTS, with_display
 
 STEPS = 300

@@ -7,8 +7,8 @@ from numpy.testing import assert_allclose, assert_array_equal
 import pytest
 
 from rvd_dynamics.mission import Mission
-from rvd_dynamics.orbit import cw
-from rvd_dynamics.spacecraft.levels import acceleration
+from rvd_dynamics.motion import cw
+from rvd_dynamics.commands.levels import acceleration
 from rvd_groundstation.prediction.predictor import Predictor, PredictorParams
 from rvd_groundstation.prediction.score import Score
 

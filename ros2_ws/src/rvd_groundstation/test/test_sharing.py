@@ -9,7 +9,7 @@ import numpy as np
 from numpy.testing import assert_array_equal
 import pytest
 
-from rvd_dynamics import codes
+from rvd_dynamics.commands import codes
 from rvd_groundstation.sharing import decide, Eq25, Filter, SHARING
 
 LEVELS = range(-3, 4)

@@ -2,7 +2,7 @@
 
 import pytest
 
-from rvd_dynamics.ros.graph import spec_of
+from rvd_dynamics.diagram.ros.graph import spec_of
 from rvd_groundstation.nodes import stick
 from rvd_groundstation.nodes.stick import HeldStick
 

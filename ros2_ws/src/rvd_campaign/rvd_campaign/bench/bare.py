@@ -22,10 +22,10 @@ from rclpy.task import Future
 from std_msgs.msg import String, UInt64
 
 from rvd_campaign.scenario import load
-from rvd_campaign.watch import message_type
+from rvd_campaign.flight.watch import message_type
 from rvd_dynamics.link.frame import COMMAND_BYTES, DOWNLINK_BYTES
 from rvd_dynamics.mission import Mission
-from rvd_dynamics.ros import graph, qos
+from rvd_dynamics.diagram.ros import graph, qos
 
 BARRIER_PERIOD_S = 0.02         # [s] wall time between two looks at the endpoints
 REPORT_EVERY = 16               # [steps] between two /run/recorded_step, as our recorder

@@ -18,7 +18,7 @@ from typing import Any
 
 from rvd_campaign import catalogue
 from rvd_campaign.cli import CannotRun
-from rvd_campaign.domain import reserved_domain
+from rvd_campaign.flight.domain import reserved_domain
 
 WATCHERS = 50
 TURNS = 4                       # alone and watched: a p99 of 700 samples moves by a fifth by itself
@@ -182,7 +182,7 @@ class Joys:
         from rclpy.executors import SingleThreadedExecutor
         from sensor_msgs.msg import Joy
 
-        from rvd_dynamics.ros.qos import HELD_STICK
+        from rvd_dynamics.diagram.ros.qos import HELD_STICK
         self.heard: dict[int, float] = {}
         rclpy.init(args=[], signal_handler_options=rclpy.signals.SignalHandlerOptions.NO)
         self._node = rclpy.create_node('rvd_bench')

@@ -23,10 +23,10 @@ from std_msgs.msg import UInt64
 
 from rvd_campaign import catalogue
 from rvd_campaign.bench.processes import cpu_s
-from rvd_campaign.domain import reserved_domain
+from rvd_campaign.flight.domain import reserved_domain
 from rvd_campaign.scenario import load, Scenario
-from rvd_campaign.supervisor import Supervisor
-from rvd_dynamics.ros import qos
+from rvd_campaign.flight.supervisor import Supervisor
+from rvd_dynamics.diagram.ros import qos
 
 SCENARIO = 'hand'               # ten steps a second
 WARM_UP_STEPS = 96              # [steps] in flight before the measurement begins

@@ -8,11 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from rvd_campaign import verdict
+from rvd_campaign.flight import verdict
 from rvd_campaign.campaign.engine import check_same, open_folder, refly
 from rvd_campaign.campaign.results import rows, Table
 from rvd_campaign.exits import CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_FAILED
-from rvd_campaign.fly import pace_of
+from rvd_campaign.flight.fly import pace_of
 from rvd_campaign.loop import fly
 from rvd_campaign.scenario import Scenario
 

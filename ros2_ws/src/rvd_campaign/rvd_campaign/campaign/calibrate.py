@@ -29,7 +29,7 @@ from rvd_campaign.campaign import engine, stats
 from rvd_campaign.campaign.results import Stretch, Table, write_whole
 from rvd_campaign.exits import CannotRun, EXIT_DONE
 from rvd_campaign.scenario import load, nearest, Scenario
-from rvd_dynamics.params import flatten
+from rvd_dynamics.diagram.params import flatten
 from rvd_groundstation.operators.pilot import PilotParams, PILOTS
 
 STATISTICS = ('success', 'offset', 'rate')

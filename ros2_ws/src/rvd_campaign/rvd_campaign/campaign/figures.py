@@ -20,9 +20,9 @@ from numpy.typing import NDArray
 from rvd_campaign.campaign import stats
 from rvd_campaign.campaign.results import Table
 from rvd_campaign.campaign.spec import Campaign, Condition
-from rvd_campaign.figures import BLUE, GREEN, INK, MUTED, ORANGE, VERMILLION, WIDTH_IN
+from rvd_campaign.report.figures import BLUE, GREEN, INK, MUTED, ORANGE, VERMILLION, WIDTH_IN
 from rvd_campaign.loop import fly
-from rvd_dynamics import corridor
+from rvd_dynamics.geometry import cone
 
 LANDED, TRACKS = 300, 40                # runs shown per condition
 PANELS = 8                              # conditions in a figure of panels
@@ -149,7 +149,7 @@ def _left_boundary(condition: Condition, states: NDArray[np.float64]) -> float:
 
 
 def _boundary(mission: Any, x: NDArray[np.float64]) -> NDArray[np.float64]:
-    return corridor.control_boundary(x, mission.corridor, mission.orbit.mean_motion,
+    return cone.control_boundary(x, mission.corridor, mission.orbit.mean_motion,
                                      delay=mission.forward_delay_s + mission.back_delay_s)
 
 
@@ -158,7 +158,7 @@ def _side_view(axes: Axes, condition: Condition, states: NDArray[np.float64], la
     mission = condition.scenario.mission
     first = mission.start.position_m[0]
     x = np.linspace(first, 0.0, 121)
-    wall, inner = corridor.radius(x, mission.corridor), _boundary(mission, x)
+    wall, inner = cone.radius(x, mission.corridor), _boundary(mission, x)
     for sign in (1.0, -1.0):
         axes.plot(x, sign*wall, color=INK, linestyle=DASHED, linewidth=1.8,
                   label='corridor wall' if sign > 0 else None)

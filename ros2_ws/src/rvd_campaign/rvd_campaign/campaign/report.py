@@ -15,10 +15,10 @@ from rvd_campaign.campaign.engine import open_folder, RESULTS
 from rvd_campaign.campaign.figures import FIGURES, NEEDED, Results
 from rvd_campaign.campaign.spec import CampaignError
 from rvd_campaign.campaign.summary import MEANS, SUMMARY
-from rvd_campaign.figures import drawn
-from rvd_campaign.figures import STYLE as LOOK
-from rvd_campaign.page import STYLE
-from rvd_campaign.verdict import WORDS
+from rvd_campaign.report.figures import drawn
+from rvd_campaign.report.figures import STYLE as LOOK
+from rvd_campaign.report.page import STYLE
+from rvd_campaign.flight.verdict import WORDS
 
 LONG = 60                               # rows of a table that a page shows
 DASH, DOT = '\u2013', ' \u00b7 '

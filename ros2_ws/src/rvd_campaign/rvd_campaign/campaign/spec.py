@@ -31,7 +31,7 @@ from rvd_campaign.campaign.grid import Cells, legs
 from rvd_campaign.scenario import (
     check_keys, flat_keys, load, mapping_of, nearest, parse, Scenario, ScenarioError, SETTINGS,
     SHARED, text_of)
-from rvd_dynamics.params import flatten
+from rvd_dynamics.diagram.params import flatten
 from rvd_groundstation.operators.pilot import PILOTS
 
 MAX_CONDITIONS = 1000

@@ -12,7 +12,7 @@ from rvd_campaign.campaign import results, stats
 from rvd_campaign.campaign.engine import condition_tables, full_disk, identity, PARTS, RESULTS
 from rvd_campaign.campaign.results import Table
 from rvd_campaign.campaign.spec import Campaign, Condition
-from rvd_campaign.verdict import unknown_as_none
+from rvd_campaign.flight.verdict import unknown_as_none
 
 SUMMARY = 'summary.json'
 MEANS = {'x_rate_m_s': 'closing rate', 'offset_m': 'offset', 'lateral_rate_m_s': 'lateral rate'}

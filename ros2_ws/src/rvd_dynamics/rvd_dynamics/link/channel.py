@@ -11,12 +11,12 @@ when bits are numbered from the least significant one of each byte, as here.
 
 from bisect import insort
 from collections import deque
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from heapq import heappop, heappush
 
 from rvd_dynamics.link.plan import LinkPlan
 from rvd_dynamics.link.play_out import Frame, Outcome, PlayOut
-from rvd_dynamics.params import require
+from rvd_dynamics.diagram.params import require
 
 NAN = float('nan')
 
@@ -43,6 +43,9 @@ class LinkCounts:
         return self.sent + self.duplicated == (
             self.delivered + self.late + self.lost + self.outage + self.duplicate_dropped
             + self.in_flight + self.queued)
+
+
+LINK_COUNTS = tuple(f.name for f in fields(LinkCounts))
 
 
 class Channel:

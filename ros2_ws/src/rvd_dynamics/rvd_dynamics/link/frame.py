@@ -18,8 +18,8 @@ from enum import IntEnum
 from struct import Struct
 from zlib import crc32
 
-from rvd_dynamics import codes
-from rvd_dynamics.params import require
+from rvd_dynamics.commands import codes
+from rvd_dynamics.diagram.params import require
 
 VERSION = 1
 KEY = 0                         # no key yet: a CRC stands where a signature will

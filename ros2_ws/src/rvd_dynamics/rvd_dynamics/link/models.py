@@ -18,7 +18,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from rvd_dynamics.params import param, require
+from rvd_dynamics.diagram.params import param, require
 
 LONGEST_S = 1e6                 # [s] 11 days; transits beyond are refused, ns stay exact in int64
 

@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rvd_dynamics.link.models import LinkParams
-from rvd_dynamics.params import require
+from rvd_dynamics.diagram.params import require
 
 UNIFORMS_PER_STEP = 9           # loss 2, held up 2, damage 2, duplicate 1, which damage 2
 HANDFUL = 32                    # runs that are planned at a time

@@ -14,7 +14,7 @@ Source  Zhang, Li, Tang, J. Astronautics 35(3), 2014, section 1.3: a frame with 
 from dataclasses import dataclass
 from enum import Enum
 
-from rvd_dynamics.params import require
+from rvd_dynamics.diagram.params import require
 
 
 @dataclass(frozen=True, slots=True)

@@ -22,14 +22,14 @@ from rclpy.event_handler import SubscriptionEventCallbacks
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from std_msgs.msg import UInt64
 
-from rvd_dynamics.params import require
+from rvd_dynamics.diagram.params import require
 from rvd_dynamics.recording.bag_writer import BagWriter
 from rvd_dynamics.recording.params import RecorderParams
 from rvd_dynamics.recording.rosbag2 import qos_words
 from rvd_dynamics.recording.steps import StepLedger, step_reader
-from rvd_dynamics.ros import graph, qos
-from rvd_dynamics.ros.node import WatchNode
-from rvd_dynamics.ros.run import run
+from rvd_dynamics.diagram.ros import graph, qos
+from rvd_dynamics.diagram.ros.node import WatchNode
+from rvd_dynamics.diagram.ros.run import run
 
 RECORDED_STEP = '/run/recorded_step'
 NOT_RECORDED = (RECORDED_STEP, '/parameter_events')     # our own, and what no run changes

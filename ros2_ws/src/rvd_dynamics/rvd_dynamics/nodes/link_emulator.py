@@ -13,10 +13,10 @@ from rvd_dynamics.link.channel import Channel
 from rvd_dynamics.link.models import LinkParams
 from rvd_dynamics.link.plan import draw_plan
 from rvd_dynamics.link.play_out import Frame
-from rvd_dynamics.ros.conversions import empty_frame, header_at
-from rvd_dynamics.ros.run import run
-from rvd_dynamics.ros.step_node import StepNode
-from rvd_dynamics.streams import generator
+from rvd_dynamics.diagram.ros.conversions import empty_frame, header_at
+from rvd_dynamics.diagram.ros.run import run
+from rvd_dynamics.diagram.ros.step_node import StepNode
+from rvd_dynamics.diagram.streams import generator
 from rvd_interfaces.msg import LinkFrame, LinkStatus
 
 # name: (input, output, status)

@@ -27,12 +27,12 @@ from rclpy.serialization import deserialize_message
 from std_msgs.msg import ColorRGBA, Header
 from visualization_msgs.msg import Marker, MarkerArray
 
-from rvd_dynamics import corridor, scene
+from rvd_dynamics.geometry import cone, surfaces
 from rvd_dynamics.mission import Mission
 from rvd_dynamics.recording.params import MarkerParams
-from rvd_dynamics.ros import qos
-from rvd_dynamics.ros.node import WatchNode
-from rvd_dynamics.ros.run import run
+from rvd_dynamics.diagram.ros import qos
+from rvd_dynamics.diagram.ros.node import WatchNode
+from rvd_dynamics.diagram.ros.run import run
 from rvd_interfaces.msg import RelativeState
 
 TRAIL_EVERY = 5                 # [pictures] a trail is long: draw it less often
@@ -143,7 +143,7 @@ def still_scene(mission: Mission, rate: float) -> dict[str, MarkerArray]:
     far = mission.start.position_m[0] - 2.0
     ends = np.array([far, 0.0])
     x = np.linspace(far, 0.0, STATIONS)
-    inner = corridor.control_boundary(
+    inner = cone.control_boundary(
         x, mission.corridor, mission.orbit.mean_motion, rate=rate,
         delay=mission.forward_delay_s + mission.back_delay_s)
     target = Marker(header=header, ns='target', id=0, type=Marker.CUBE, action=Marker.ADD,
@@ -151,7 +151,7 @@ def still_scene(mission: Mission, rate: float) -> dict[str, MarkerArray]:
                     pose=Pose(position=Point(x=0.5)))
     return {
         '/viz/corridor': MarkerArray(markers=[
-            _surface(header, 'wall', ends, corridor.radius(ends, mission.corridor), WALL, 0.12),
+            _surface(header, 'wall', ends, cone.radius(ends, mission.corridor), WALL, 0.12),
             _ring(header, 'docking plane', mission.corridor.docking_radius_m, WALL), target]),
         '/viz/control_boundary': MarkerArray(markers=[
             _surface(header, 'boundary', x, inner, BOUNDARY, 0.15)])}
@@ -172,7 +172,7 @@ def body(state: RelativeState, name: str, colour: tuple, sigmas: float) -> Marke
     made = [box, arrow]
     if not np.isnan(state.covariance[0]):
         covariance = np.asarray(state.covariance).reshape(6, 6)[:3, :3]
-        half, q = scene.ellipsoid(covariance, sigmas)
+        half, q = surfaces.ellipsoid(covariance, sigmas)
         x, y, z = (2.0 * half).tolist()
         turn = Quaternion(**dict(zip('xyzw', q.tolist())))
         made.append(Marker(
@@ -184,7 +184,7 @@ def body(state: RelativeState, name: str, colour: tuple, sigmas: float) -> Marke
 
 def _surface(header: Header, name: str, x: np.ndarray, radius: np.ndarray, colour: tuple,
              opacity: float) -> Marker:
-    corners = scene.revolved(x, radius).reshape(-1, 3).tolist()
+    corners = surfaces.revolved(x, radius).reshape(-1, 3).tolist()
     return Marker(header=header, ns=name, id=0, type=Marker.TRIANGLE_LIST, action=Marker.ADD,
                   scale=Vector3(x=1.0, y=1.0, z=1.0), color=_rgba(colour, opacity),
                   points=[Point(x=x, y=y, z=z) for x, y, z in corners])

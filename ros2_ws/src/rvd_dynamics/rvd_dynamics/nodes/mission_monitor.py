@@ -11,9 +11,9 @@ import time
 import numpy as np
 
 from rvd_dynamics.judge import Judge
-from rvd_dynamics.ros.conversions import header_at, state_from_msg, vector
-from rvd_dynamics.ros.node import WatchNode
-from rvd_dynamics.ros.run import run
+from rvd_dynamics.diagram.ros.conversions import header_at, state_from_msg, vector
+from rvd_dynamics.diagram.ros.node import WatchNode
+from rvd_dynamics.diagram.ros.run import run
 from rvd_interfaces.msg import RelativeState, Verdict
 
 PERIOD_S = 0.1                  # [s] wall time between two verdicts under way

@@ -6,12 +6,12 @@ Publishes   /onboard/thruster_command k    rvd_interfaces/ThrustCommand, acts on
 Parameters  the fields of GuardParams
 """
 
-from rvd_dynamics.codes import BY_GUARD, BY_NOBODY, KIND_ABORT
-from rvd_dynamics.guard.guard import Guard, GuardParams
+from rvd_dynamics.commands.codes import BY_GUARD, BY_NOBODY, KIND_ABORT
+from rvd_dynamics.onboard.guard.guard import Guard, GuardParams
 from rvd_dynamics.link.frame import Refusal
-from rvd_dynamics.ros.conversions import NAN, header_at
-from rvd_dynamics.ros.run import run
-from rvd_dynamics.ros.step_node import StepNode
+from rvd_dynamics.diagram.ros.conversions import NAN, header_at
+from rvd_dynamics.diagram.ros.run import run
+from rvd_dynamics.diagram.ros.step_node import StepNode
 from rvd_interfaces.msg import LinkFrame, ThrustCommand
 
 REFUSALS = frozenset(Refusal)

@@ -10,13 +10,13 @@ Parameters  the fields of SensorParams
 
 import numpy as np
 
-from rvd_dynamics.codes import REASON_EMPTY
+from rvd_dynamics.commands.codes import REASON_EMPTY
 from rvd_dynamics.link.frame import pack_downlink
-from rvd_dynamics.ros.conversions import state_from_msg, state_to_msg
-from rvd_dynamics.ros.run import run
-from rvd_dynamics.ros.step_node import StepNode
-from rvd_dynamics.streams import measurement_normals
-from rvd_dynamics.world import SensorParams
+from rvd_dynamics.diagram.ros.conversions import state_from_msg, state_to_msg
+from rvd_dynamics.diagram.ros.run import run
+from rvd_dynamics.diagram.ros.step_node import StepNode
+from rvd_dynamics.diagram.streams import measurement_normals
+from rvd_dynamics.world.settings import SensorParams
 from rvd_interfaces.msg import LinkFrame, RelativeState, ThrustCommand
 
 

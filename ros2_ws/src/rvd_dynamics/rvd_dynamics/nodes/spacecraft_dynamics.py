@@ -18,14 +18,14 @@ import numpy as np
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import Bool, String, UInt64
 
-from rvd_dynamics.orbit.models import TRUTH_MODELS
-from rvd_dynamics.ros import graph
-from rvd_dynamics.ros.conversions import UNKNOWN, levels_of, state_to_msg, time_at
-from rvd_dynamics.ros.run import run
-from rvd_dynamics.ros.step_node import StepNode
-from rvd_dynamics.spacecraft.thrusters import execute
-from rvd_dynamics.streams import execution_normals, start_normals
-from rvd_dynamics.world import DynamicsParams
+from rvd_dynamics.world.plants.relative import TRUTH_MODELS
+from rvd_dynamics.diagram.ros import graph
+from rvd_dynamics.diagram.ros.conversions import UNKNOWN, levels_of, state_to_msg, time_at
+from rvd_dynamics.diagram.ros.run import run
+from rvd_dynamics.diagram.ros.step_node import StepNode
+from rvd_dynamics.world.spacecraft.thrusters import execute
+from rvd_dynamics.diagram.streams import execution_normals, start_normals
+from rvd_dynamics.world.settings import DynamicsParams
 from rvd_interfaces.msg import RelativeState, ThrustCommand
 
 TICKS_PER_STEP = 8              # how often the wall clock is looked at in real time

@@ -4,7 +4,7 @@ Settings of the nodes that watch: the recorder and the markers.
 
 from dataclasses import dataclass
 
-from rvd_dynamics.params import param, require
+from rvd_dynamics.diagram.params import param, require
 
 
 @dataclass(frozen=True)

@@ -12,9 +12,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rvd_dynamics.corridor import control_boundary, distance_at, radius, signed_distance
+from rvd_dynamics.geometry.cone import control_boundary, distance_at, radius, signed_distance
 from rvd_dynamics.mission import Mission
-from rvd_dynamics.orbit import cw
+from rvd_dynamics.motion import cw
 from rvd_groundstation.console.ladder import Ladder
 
 NS = 1e-9

@@ -19,7 +19,7 @@ A downlink generated in step g tells of commands that acted up to step g - 1.
 from collections import deque
 from dataclasses import dataclass, field
 
-from rvd_dynamics.codes import KIND_ABORT, REASON_ABORT, REASON_NONE
+from rvd_dynamics.commands.codes import KIND_ABORT, REASON_ABORT, REASON_NONE
 
 SENT, DUE, EXECUTED, SEEN, REFUSED, MISSED, UNKNOWN = range(7)
 STATES = ('SENT', 'DUE', 'EXECUTED', 'SEEN', 'REFUSED', 'MISSED', 'UNKNOWN')

@@ -4,7 +4,7 @@ Settings of the console as a node started by hand; `./rvd fly` has options for t
 
 from dataclasses import dataclass
 
-from rvd_dynamics.params import param
+from rvd_dynamics.diagram.params import param
 from rvd_groundstation.console.access import check_bind
 
 

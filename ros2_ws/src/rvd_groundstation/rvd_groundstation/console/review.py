@@ -2,7 +2,7 @@
 Finished runs for the page's review: their list, and the reader that is run for one of them.
 
 A run's bag holds the truth, which the ground must not know: it is read by a process of its own,
-`python -m rvd_campaign.replay`, whose output goes to the page as it is.
+`python -m rvd_campaign.report.replay`, whose output goes to the page as it is.
 """
 
 import asyncio
@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
-READER = (sys.executable, '-m', 'rvd_campaign.replay')
+READER = (sys.executable, '-m', 'rvd_campaign.report.replay')
 MOST_RUNS = 200                 # rows of the list, newest first
 DEEPEST = 3                     # folders below the runs folder that are looked through
 SHOWN = ('reason', 'success', 'mode', 'seed', 'operator', 'scenario')

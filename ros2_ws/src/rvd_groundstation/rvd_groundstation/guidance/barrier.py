@@ -23,10 +23,10 @@ from typing import ClassVar, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rvd_dynamics.corridor import radius
+from rvd_dynamics.geometry.cone import radius
 from rvd_dynamics.mission import Mission
-from rvd_dynamics.params import param, require
-from rvd_dynamics.spacecraft.levels import acceleration, HIGHEST
+from rvd_dynamics.diagram.params import param, require
+from rvd_dynamics.commands.levels import acceleration, HIGHEST
 from rvd_groundstation.sharing import Eq25
 from rvd_groundstation.sharing.decision import Sharing
 

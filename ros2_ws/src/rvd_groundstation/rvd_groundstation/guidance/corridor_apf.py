@@ -22,11 +22,11 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rvd_dynamics.corridor import (
+from rvd_dynamics.geometry.cone import (
     control_boundary, outward_normal, radius, ray_nearest_point, signed_distance)
 from rvd_dynamics.mission import Mission
-from rvd_dynamics.params import param, require
-from rvd_dynamics.spacecraft.levels import nearest_level
+from rvd_dynamics.diagram.params import param, require
+from rvd_dynamics.commands.levels import nearest_level
 
 Array = NDArray[np.float64]
 CHOICES = {

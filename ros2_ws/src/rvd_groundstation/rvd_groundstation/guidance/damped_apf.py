@@ -13,7 +13,7 @@ Limits  the band is deeper than the corridor is wide near docking: there it also
 
 from dataclasses import dataclass
 
-from rvd_dynamics.params import param
+from rvd_dynamics.diagram.params import param
 from rvd_groundstation.guidance.corridor_apf import CorridorApf
 
 

@@ -11,13 +11,13 @@ Parameters  the fields of ControllerParams: `law` and the settings of each law u
 
 import numpy as np
 
-from rvd_dynamics.codes import BY_AUTO, BY_NOBODY, REASON_MISSING, REASON_NONE
-from rvd_dynamics.ros import graph
-from rvd_dynamics.ros.conversions import NAN, header_at, state_from_msg
-from rvd_dynamics.ros.params import settings_of
-from rvd_dynamics.ros.run import run
-from rvd_dynamics.ros.step_node import StepNode
-from rvd_dynamics.spacecraft.levels import stick_levels
+from rvd_dynamics.commands.codes import BY_AUTO, BY_NOBODY, REASON_MISSING, REASON_NONE
+from rvd_dynamics.diagram.ros import graph
+from rvd_dynamics.diagram.ros.conversions import NAN, header_at, state_from_msg
+from rvd_dynamics.diagram.ros.params import settings_of
+from rvd_dynamics.diagram.ros.run import run
+from rvd_dynamics.diagram.ros.step_node import StepNode
+from rvd_dynamics.commands.levels import stick_levels
 from rvd_groundstation.nodes.stick import HeldStick
 from rvd_groundstation.settings import BlenderParams, ControllerParams
 from rvd_interfaces.msg import RelativeState, ThrustCommand

@@ -15,13 +15,13 @@ import numpy as np
 from sensor_msgs.msg import Joy
 from std_msgs.msg import Bool
 
-from rvd_dynamics.codes import BY_PILOT, KIND_ABORT, KIND_THRUST, REASON_ABORT
+from rvd_dynamics.commands.codes import BY_PILOT, KIND_ABORT, KIND_THRUST, REASON_ABORT
 from rvd_dynamics.link.frame import pack_command
 from rvd_dynamics.mission import MODES
-from rvd_dynamics.ros.conversions import header_at
-from rvd_dynamics.ros.run import run
-from rvd_dynamics.ros.step_node import StepNode
-from rvd_dynamics.spacecraft.levels import stick_levels
+from rvd_dynamics.diagram.ros.conversions import header_at
+from rvd_dynamics.diagram.ros.run import run
+from rvd_dynamics.diagram.ros.step_node import StepNode
+from rvd_dynamics.commands.levels import stick_levels
 from rvd_groundstation.nodes.stick import HeldStick
 from rvd_groundstation.settings import BlenderParams
 from rvd_groundstation.sharing import decide

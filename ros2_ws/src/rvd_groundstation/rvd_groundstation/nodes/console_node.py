@@ -12,9 +12,9 @@ from sensor_msgs.msg import Joy
 from std_msgs.msg import Bool
 
 from rvd_dynamics.link.frame import Downlink, unpack_downlink
-from rvd_dynamics.ros.conversions import header_at, ns_of, state_from_msg
-from rvd_dynamics.ros.node import WatchNode
-from rvd_dynamics.spacecraft.levels import stick_levels
+from rvd_dynamics.diagram.ros.conversions import header_at, ns_of, state_from_msg
+from rvd_dynamics.diagram.ros.node import WatchNode
+from rvd_dynamics.commands.levels import stick_levels
 from rvd_groundstation.console.hub import Hub
 from rvd_groundstation.console.protocol import Stick
 from rvd_interfaces.msg import (

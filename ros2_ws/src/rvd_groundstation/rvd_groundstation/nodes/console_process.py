@@ -90,7 +90,7 @@ async def _serve_one(arguments: list[str]) -> int:
     from rclpy.node import Node
     from rclpy.signals import SignalHandlerOptions
 
-    from rvd_dynamics.ros.params import declare
+    from rvd_dynamics.diagram.ros.params import declare
     from rvd_groundstation.console.params import ConsoleParams
     rclpy.init(args=['console', *arguments], signal_handler_options=SignalHandlerOptions.NO)
     probe = Node('console')

@@ -8,9 +8,9 @@ Parameters  the fields of ReplayParams
 
 from sensor_msgs.msg import Joy
 
-from rvd_dynamics.ros.conversions import header_at
-from rvd_dynamics.ros.run import run
-from rvd_dynamics.ros.step_node import StepNode
+from rvd_dynamics.diagram.ros.conversions import header_at
+from rvd_dynamics.diagram.ros.run import run
+from rvd_dynamics.diagram.ros.step_node import StepNode
 from rvd_groundstation.operators.tape import read_tape
 from rvd_groundstation.settings import ReplayParams
 from rvd_interfaces.msg import RelativeState

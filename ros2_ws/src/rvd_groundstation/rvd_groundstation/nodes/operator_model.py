@@ -10,10 +10,10 @@ Parameters  the fields of PilotParams
 import numpy as np
 from sensor_msgs.msg import Joy
 
-from rvd_dynamics.ros.conversions import state_from_msg
-from rvd_dynamics.ros.run import run
-from rvd_dynamics.ros.step_node import StepNode
-from rvd_dynamics.streams import pilot_draws, skill_normal
+from rvd_dynamics.diagram.ros.conversions import state_from_msg
+from rvd_dynamics.diagram.ros.run import run
+from rvd_dynamics.diagram.ros.step_node import StepNode
+from rvd_dynamics.diagram.streams import pilot_draws, skill_normal
 from rvd_groundstation.nodes.stick import joy_of_levels
 from rvd_groundstation.operators.pilot import Pilot, PilotParams
 from rvd_interfaces.msg import RelativeState

@@ -12,9 +12,9 @@ Parameters  the fields of PredictorParams
 import numpy as np
 
 from rvd_dynamics.link.frame import Downlink, unpack_downlink
-from rvd_dynamics.ros.conversions import header_at, levels_of, state_to_msg, vector
-from rvd_dynamics.ros.run import run
-from rvd_dynamics.ros.step_node import StepNode
+from rvd_dynamics.diagram.ros.conversions import header_at, levels_of, state_to_msg, vector
+from rvd_dynamics.diagram.ros.run import run
+from rvd_dynamics.diagram.ros.step_node import StepNode
 from rvd_groundstation.prediction.predictor import Predictor, PredictorParams
 from rvd_groundstation.prediction.score import Score, Scored
 from rvd_interfaces.msg import LinkFrame, PredictionScore, RelativeState, ThrustCommand

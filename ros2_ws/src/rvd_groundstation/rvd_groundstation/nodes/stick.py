@@ -7,7 +7,7 @@ import time
 from sensor_msgs.msg import Joy
 
 from rvd_dynamics.mission import Mission
-from rvd_dynamics.ros.conversions import header_at
+from rvd_dynamics.diagram.ros.conversions import header_at
 
 HELD_FOR_S = 0.5                # [s] wall time after which a held stick is no pilot
 

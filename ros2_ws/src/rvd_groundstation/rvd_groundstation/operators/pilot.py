@@ -4,7 +4,7 @@ Stochastic pilot: looks at the displays, decides in pulses, errs, and loses atte
 Frame   target orbital (+x along track, +y radially outward, +z completes the triad).
 State   (x, y, z, vx, vy, vz) [m, m/s] on the last axis; leading axes are batch axes, one
         pilot each. Inside, components come first: (6, n), axes x, y, z in this order.
-Chance  comes as whole-run draws (`rvd_dynamics.streams.PilotDraws`): ten normals N0..N9 and
+Chance  comes as whole-run draws (`rvd_dynamics.diagram.streams.PilotDraws`): ten normals N0..N9 and
         six uniforms U0..U5 per step, used or not, so that a pilot in another condition draws
         the same numbers.
 Source  the paper (Zhang, Li, Tang 2014) flew ten students and states no model. Every number
@@ -21,10 +21,10 @@ from math import exp, inf, prod, sqrt
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rvd_dynamics.corridor import radius
+from rvd_dynamics.geometry.cone import radius
 from rvd_dynamics.mission import Mission
-from rvd_dynamics.params import param, require
-from rvd_dynamics.streams import PilotDraws
+from rvd_dynamics.diagram.params import param, require
+from rvd_dynamics.diagram.streams import PilotDraws
 
 Array = NDArray[np.float64]
 MARGIN = 1e-6                           # [steps] far above rounding, far below a step

@@ -21,8 +21,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rvd_dynamics.mission import Mission, StartParams
-from rvd_dynamics.orbit import cw
-from rvd_dynamics.params import param, require
+from rvd_dynamics.motion import cw
+from rvd_dynamics.diagram.params import param, require
 
 Array = NDArray[np.float64]
 FLOOR_STEP_S = 0.5                      # [s] step for which `process_variance_floor` is meant

@@ -21,9 +21,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rvd_dynamics.mission import Mission
-from rvd_dynamics.orbit import cw
-from rvd_dynamics.params import param, require
-from rvd_dynamics.spacecraft.levels import acceleration
+from rvd_dynamics.motion import cw
+from rvd_dynamics.diagram.params import param, require
+from rvd_dynamics.commands.levels import acceleration
 from rvd_groundstation.prediction.filter import FilterParams, FILTERS
 
 Array = NDArray[np.float64]

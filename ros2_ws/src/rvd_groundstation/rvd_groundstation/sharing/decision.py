@@ -16,7 +16,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rvd_dynamics import codes
+from rvd_dynamics.commands import codes
 from rvd_dynamics.mission import MODES
 
 

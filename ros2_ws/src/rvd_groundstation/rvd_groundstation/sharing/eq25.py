@@ -17,7 +17,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rvd_dynamics.params import param, require
+from rvd_dynamics.diagram.params import param, require
 
 ROUNDINGS = ('away', 'truncate')
 LEVELS = range(-3, 4)

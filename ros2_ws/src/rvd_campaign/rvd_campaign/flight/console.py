@@ -1,0 +1,197 @@
+"""
+`./rvd fly --operator console`: one page, one run after the other.
+
+The console process is started once and outlives runs; each run is a bring-up of its own in a
+new folder. Control channel: lines of JSON on the console's standard output (a URL, wishes of
+the pilot) and input (how a run goes).
+"""
+
+import argparse
+import json
+import os
+import queue
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+from pathlib import Path
+from typing import Any
+
+from rvd_campaign.flight import fly
+from rvd_campaign.cli import CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_INTERRUPTED
+from rvd_campaign.flight.domain import reserved_domain
+from rvd_campaign.scenario import Scenario
+
+URL_S = 30.0                    # [s] wall time for the page to be there
+LOOK_S = 0.2                    # [s] wall time between two looks at the process
+STOP_S = 5.0                    # [s] wall time it gets to end
+
+
+class ConsoleProcess:
+    """The console as a child process; its wishes come in order."""
+
+    def __init__(self, args: argparse.Namespace, runs: Path, folder: Path, domain: int) -> None:
+        self.socket = folder / 'console'
+        command = [sys.executable, '-m', 'rvd_groundstation.nodes.console', '--serve',
+                   '--socket', str(self.socket), '--runs', str(runs), '--bind', args.bind,
+                   '--port', str(args.port), '--tls-cert', args.tls_cert,
+                   '--tls-key', args.tls_key]
+        if args.session:
+            command += ['--session', args.session]
+        self._process = subprocess.Popen(
+            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True,
+            start_new_session=True,
+            env={**os.environ, 'ROS_DOMAIN_ID': str(domain), 'RVD_LEAN': '1',
+                 'OMP_NUM_THREADS': '1', 'OPENBLAS_NUM_THREADS': '1'})
+        self._wishes: queue.Queue[dict] = queue.Queue()
+        self._held: dict | None = None          # a wish for after the run under way
+        threading.Thread(target=self._read, daemon=True).start()
+
+    def _read(self) -> None:
+        for line in self._process.stdout:
+            try:
+                self._wishes.put(json.loads(line))
+            except ValueError:
+                print(line, end='', flush=True)
+
+    def url(self) -> str:
+        """Return the address to open, once there."""
+        try:
+            return self._next(URL_S)['url']
+        except (KeyError, queue.Empty):
+            raise CannotRun('the console did not start') from None
+
+    def _next(self, patience_s: float = float('inf')) -> dict[str, Any]:
+        waited = 0.0
+        while True:
+            try:
+                return self._wishes.get(timeout=LOOK_S)
+            except queue.Empty:
+                waited += LOOK_S
+                code = self._process.poll()
+                if code == EXIT_CANNOT:
+                    raise SystemExit(code) from None        # it has said why, in one line
+                if code is not None:
+                    raise CannotRun('the console has gone (see above)') from None
+                if waited > patience_s:
+                    raise
+
+    def wish(self) -> dict[str, Any]:
+        """Return the next wish of the pilot, waiting for it."""
+        held, self._held = self._held, None
+        return held if held is not None else self._next()
+
+    def stop_asked(self) -> bool:
+        """Say whether the run under way is to stop: for another one, or for good."""
+        if self._held is None:
+            try:
+                self._held = self._wishes.get_nowait()
+            except queue.Empty:
+                return self._process.poll() is not None
+        if self._held['do'] == 'stop':
+            self._held = None
+            return True
+        return True
+
+    def tell(self, phase: str, run: str, note: str = '') -> None:
+        """Let the page know how it goes with a run (its folder below the runs folder)."""
+        message = {'phase': phase, 'run': run, 'note': note}
+        try:
+            self._process.stdin.write(json.dumps(message) + '\n')
+            self._process.stdin.flush()
+        except (BrokenPipeError, ValueError):
+            pass                                # its end is noticed where wishes are awaited
+
+    def stop(self) -> None:
+        """End the process: its standard input ends."""
+        try:
+            self._process.stdin.close()
+        except BrokenPipeError:
+            pass
+        try:
+            self._process.wait(STOP_S)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            self._process.wait()
+
+
+def main(args: argparse.Namespace, scenario: Scenario) -> int:
+    """Serve the page and fly what it asks for; return the exit code of the last run."""
+    runs = Path(args.out).parent if args.out else Path('runs')
+    if args.session:
+        if args.out is None:
+            raise CannotRun('--session needs --out DIR, the folder of all its volunteers')
+        runs = Path(args.out)
+    runs.mkdir(parents=True, exist_ok=True)
+    for number in (signal.SIGTERM, signal.SIGINT):
+        signal.signal(number, _interrupt)
+    with reserved_domain() as domain, tempfile.TemporaryDirectory(prefix='rvd-') as folder:
+        page = ConsoleProcess(args, runs, Path(folder), domain)
+        os.environ['RVD_CONSOLE'] = str(page.socket)
+        try:
+            print(f'open {page.url()}', flush=True)
+            return _serve(page, args, scenario, runs, domain)
+        finally:
+            page.stop()
+
+
+def _interrupt(*_: Any) -> None:
+    raise KeyboardInterrupt
+
+
+def _serve(page: ConsoleProcess, args: argparse.Namespace, scenario: Scenario, runs: Path,
+           domain: int) -> int:
+    code, flown = EXIT_INTERRUPTED, 0
+    try:
+        while True:
+            wish = page.wish()
+            if wish['do'] == 'quit':
+                return EXIT_DONE if flown == 0 else code
+            if wish['do'] != 'fly':
+                continue
+            asked = _as_wished(scenario, wish, flown)
+            out = _folder(args, wish, runs, flown)
+            run_dir = fly.new_folder(None if out is None else str(out), asked.name)
+            code = _fly(page, asked, run_dir, runs, domain, args.headless)
+            flown += 1
+    except KeyboardInterrupt:
+        return code
+
+
+def _as_wished(scenario: Scenario, wish: dict[str, Any], flown: int) -> Scenario:
+    """Return the scenario of the next run: each has a seed of its own."""
+    values = {'seed': wish.get('seed', scenario.mission.seed + flown)}
+    if 'mode' in wish:
+        values['mode'] = wish['mode']
+    return scenario.with_values('/**', **values)
+
+
+def _folder(args: argparse.Namespace, wish: dict[str, Any], runs: Path, flown: int
+            ) -> Path | None:
+    if 'out' in wish:                           # the session says where
+        return runs / wish['out']
+    if args.out is None:
+        return None
+    return Path(args.out) if flown == 0 else Path(f'{args.out}-{flown + 1}')
+
+
+def _fly(page: ConsoleProcess, scenario: Scenario, run_dir: Path, runs: Path, domain: int,
+         headless: bool) -> int:
+    mission = scenario.mission
+    (run_dir / 'scenario.yaml').write_text(scenario.dump(), encoding='utf-8')
+    print(f'{scenario.name}: mode {mission.mode}, operator console, seed {mission.seed}, '
+          f'{run_dir}', flush=True)
+    name = os.path.relpath(run_dir, runs)
+    page.tell('starting', name)
+    stopped = []
+
+    def stop_asked() -> bool:
+        if page.stop_asked():
+            stopped.append(True)
+        return bool(stopped)
+    code = fly.Flight(scenario, run_dir, domain, headless, stop_asked).fly()
+    if code == EXIT_INTERRUPTED and not stopped:
+        raise KeyboardInterrupt
+    page.tell('ended', name, 'failed' if code == EXIT_CANNOT else '')
+    return code

@@ -1,0 +1,272 @@
+"""
+`./rvd fly`: bring the graph up, follow one approach, say how it went, leave a run folder.
+"""
+
+import argparse
+import importlib
+import re
+import shutil
+import signal
+import sys
+import time
+from pathlib import Path
+from typing import Any, Callable
+
+from rvd_campaign import catalogue
+from rvd_campaign.flight import verdict
+from rvd_dynamics.recording import reader
+from rvd_campaign.flight.domain import reserved_domain
+from rvd_campaign.exits import (
+    CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_FAILED, EXIT_INTERRUPTED)
+from rvd_campaign.scenario import load, Scenario
+from rvd_campaign.flight.supervisor import Supervisor
+
+START_S = 60.0                  # [s] wall time for the graph to come up
+END_S = 15.0                    # [s] wall time for the nodes to end after the verdict
+STALL_S = 10.0                  # [s] wall time without a step before the run is given up
+SHOW_S = 0.2                    # [s] wall time between two looks
+
+
+def main(args: argparse.Namespace) -> int:
+    """Fly one approach as the command line asks; return the exit code."""
+    again = None
+    if args.pace is None:                       # a person flies in real time
+        args.pace = 'realtime' if args.operator in ('console', 'joy') else '10'
+    if args.campaign is not None:
+        from rvd_campaign.campaign import again
+        if args.in_process:
+            return again.in_process(args)
+    elif args.condition or args.run_number is not None or args.in_process:
+        raise CannotRun('--condition, --run and --in-process go with --from DIR')
+    scenario = again.chosen(args) if again else chosen(args)
+    if scenario.mission.operator == 'console':
+        from rvd_campaign.flight import console
+        return console.main(args, scenario)
+    run_dir = new_folder(args.out, scenario.name)
+    (run_dir / 'scenario.yaml').write_text(scenario.dump(), encoding='utf-8')
+    signal.signal(signal.SIGTERM, lambda *_: signal.raise_signal(signal.SIGINT))
+    with reserved_domain() as domain:
+        print(f'{scenario.name}: mode {scenario.mission.mode}, operator '
+              f'{scenario.mission.operator}, seed {scenario.mission.seed}, '
+              f'ROS_DOMAIN_ID={domain}, {run_dir}', flush=True)
+        code = Flight(scenario, run_dir, domain, args.headless).fly()
+    if again and code in (EXIT_DONE, EXIT_FAILED):
+        print(again.compared(args, verdict.read(run_dir / 'verdict.json')), flush=True)
+    return code
+
+
+def chosen(args: argparse.Namespace) -> Scenario:
+    """Return the scenario with what the command line changes in it."""
+    usual = 'hand' if args.operator == 'console' else 'paper'
+    scenario = load(catalogue.find('scenarios', args.scenario or usual, ('.yaml',)))
+    shared: dict[str, object] = dict(pace_of(args.pace))
+    operator = args.operator or ('replay' if args.tape else scenario.mission.operator)
+    if args.tape and operator != 'replay':
+        raise CannotRun(f'--tape needs --operator replay, not {operator}')
+    shared['operator'] = operator
+    shared['joy_input'] = 'held' if operator in ('joy', 'console') else 'stepped'
+    if args.mode:
+        shared['mode'] = args.mode
+    if args.seed is not None:
+        shared['seed'] = args.seed
+    scenario = scenario.with_values('/**', **shared)
+    if args.tape:
+        tape = catalogue.find('tapes', args.tape, ('.csv', ''))
+        scenario = scenario.with_values('joystick_replay', tape=str(tape))
+    if operator == 'replay':
+        from rvd_groundstation.operators.tape import read_tape
+        path = scenario.settings('joystick_replay').tape
+        if not path:
+            raise CannotRun('--operator replay needs --tape FILE (see rvd list tapes)')
+        read_tape(path)                         # a bad tape is refused before anything starts
+    return scenario
+
+
+def pace_of(text: str) -> dict[str, object]:
+    """Return the pace settings that `--pace` means."""
+    if text == 'lockstep':
+        return {'pace': 'lockstep'}
+    if text == 'realtime':
+        return {'pace': 'realtime', 'pace_factor': 1.0}
+    try:
+        return {'pace': 'realtime', 'pace_factor': float(text)}
+    except ValueError:
+        raise CannotRun(f'--pace must be lockstep, realtime or a factor, got {text!r}') from None
+
+
+def new_folder(out: str | None, name: str) -> Path:
+    """Make the run folder; one that holds something is never written into."""
+    if out is not None:
+        folder = Path(out)
+        if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
+            raise CannotRun(f'--out {folder} exists already: nothing is overwritten, '
+                            'give another folder or remove it')
+    else:
+        stem = f'{time.strftime("%Y%m%d-%H%M%S")}-{re.sub("[^A-Za-z0-9_-]", "_", name)}'
+        folder, number = Path('runs') / stem, 1
+        while folder.exists():
+            number += 1
+            folder = Path('runs') / f'{stem}-{number}'
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise CannotRun(f'cannot make the run folder {folder}: {error.strerror}') from None
+    return folder
+
+
+class Flight:
+    """One run under supervision."""
+
+    def __init__(self, scenario: Scenario, run_dir: Path, domain: int, headless: bool,
+                 stop_asked: Callable[[], bool] = lambda: False) -> None:
+        self._scenario = scenario
+        self._mission = scenario.mission
+        self._run_dir = run_dir
+        self._headless = headless
+        self._stop_asked = stop_asked
+        self._supervisor = Supervisor(catalogue.root() / 'scripts' / 'bringup.sh',
+                                      run_dir / 'scenario.yaml', run_dir, headless, domain)
+        from rvd_campaign.flight.watch import FlightWatch      # imports ROS while the nodes do, too
+        self._watch = FlightWatch(self._mission, domain)
+        self._shown_at = 0.0
+        self._on_line = False
+
+    def fly(self) -> int:
+        """Follow the run to its end; every process has ended when this returns."""
+        problem, interrupted = None, False
+        try:
+            problem = self._follow()
+        except KeyboardInterrupt:
+            interrupted = True
+        finally:
+            self._supervisor.stop()
+            self._watch.spin(0.1)
+            self._watch.close()
+            self._end_line()
+        if problem is not None:
+            print(f'rvd fly: {problem}', file=sys.stderr)
+            print(f'rvd fly: logs are in {self._run_dir / "logs"}', file=sys.stderr)
+            return EXIT_CANNOT
+        judged, links = self._outcome()
+        content = verdict.as_dict(judged, links, self._mission, self._scenario.name, interrupted)
+        verdict.write(self._run_dir / 'verdict.json', content)
+        print(verdict.in_words(content, self._mission), flush=True)
+        if interrupted:
+            return EXIT_INTERRUPTED
+        from rvd_campaign.report.run import write_report
+        print(write_report(self._run_dir), flush=True)
+        return EXIT_DONE if content['success'] else EXIT_FAILED
+
+    def _follow(self) -> str | None:
+        """Return None when the run has ended, or the sentence that says why it could not."""
+        begun = time.monotonic()
+        while True:
+            self._watch.spin(SHOW_S if self._watch.steps else 0.05)
+            self._show()
+            if self._stop_asked():
+                raise KeyboardInterrupt
+            if self._is_final(self._watch.verdict):
+                self._wait_for_the_nodes()
+                return None
+            failures = self._supervisor.failures()
+            if failures:
+                return self._why(failures)
+            if self._supervisor.ended:
+                if self._is_final(self._outcome()[0]):
+                    return None
+                return self._supervisor.complaint() or 'the run ended without a verdict'
+            now = time.monotonic()
+            if not self._watch.steps and now - begun > START_S:
+                waiting = sorted(set(self._supervisor.pids) - self._watch.ready)
+                return (f'the graph did not come up in {START_S:g} s: not ready: '
+                        f'{", ".join(waiting) or "spacecraft_dynamics"}')
+            if self._stalled(now):
+                law = self._scenario.settings('auto_controller').selected
+                owing = self._watch.who_owes(list(self._supervisor.pids), law.uses_stick)
+                return (f'no step for {STALL_S:g} s of wall time: '
+                        f'{", ".join(owing) or "no node"} owes a message')
+
+    @staticmethod
+    def _is_final(judged: Any) -> bool:
+        return judged is not None and judged.final
+
+    def _outcome(self) -> tuple[Any, dict[str, Any]]:
+        """
+        Return the last verdict, None if there is none, and the last status of each link.
+
+        The bag is asked, for whose writer the nodes wait: nobody waits for this process, and a
+        run of a few steps can be over before it has found the others. Only a verdict that came
+        after the recorder had died is known here alone.
+        """
+        topics = ('/run/verdict', *reader.LINKS.values())
+        try:
+            last = reader.newest(self._run_dir, topics)
+        except ValueError:                      # no bag: ended before there was one
+            last = dict.fromkeys(topics)
+        judged = last['/run/verdict']
+        return (judged if self._is_final(judged) else self._watch.verdict or judged,
+                {name: last[topic] for name, topic in reader.LINKS.items()})
+
+    def _wait_for_the_nodes(self) -> None:
+        """
+        Let every node end, now that the verdict is known; say which one did not end well.
+
+        The middleware has been seen, once, to hang for ever while a process left it
+        (`destroy_node`): that must not take the flight with it.
+        """
+        importlib.import_module('rvd_campaign.report.run')  # takes a second: while the nodes end
+        deadline = time.monotonic() + END_S
+        while not self._supervisor.ended and time.monotonic() < deadline:
+            self._watch.spin(SHOW_S)
+            self._show()
+        late = sorted(set(self._supervisor.pids) - set(self._supervisor.codes))
+        if late:
+            self._end_line()
+            print(f'rvd fly: {", ".join(late)} did not end after the flight and is ended now',
+                  file=sys.stderr)
+        elif self._supervisor.failures():
+            self._end_line()
+            print(f'rvd fly: after the flight {self._why(self._supervisor.failures())}',
+                  file=sys.stderr)
+
+    def _stalled(self, now: float) -> bool:
+        watch, mission = self._watch, self._mission
+        if not watch.steps or watch.paused or self._is_final(watch.verdict):
+            return False
+        patience = STALL_S
+        if mission.pace == 'realtime':
+            patience = max(patience, 4.0 * mission.step_s / mission.pace_factor)
+        return now - watch.progress_at > patience
+
+    def _why(self, failures: dict[str, int]) -> str:
+        parts = []
+        for name, code in failures.items():
+            words = self._supervisor.last_words(name)
+            how = f'was ended by signal {code - 128}' if code > 128 else f'ended with code {code}'
+            parts.append(f'{name} {how}' + (f': {words}' if words else ''))
+        return '; '.join(parts)
+
+    # -- what is shown --------------------------------------------------------------------
+
+    def _show(self) -> None:
+        for event in self._watch.events:
+            self._end_line()
+            print(f'  {event.step * self._mission.step_s:.1f} s {event.node}: {event.text}')
+        self._watch.events.clear()
+        if self._headless:
+            return
+        line = self._watch.line()
+        if not self._watch.steps:
+            line = f'starting: {len(self._watch.ready)} of {len(self._supervisor.pids)} nodes ready'
+        if sys.stdout.isatty():
+            width = shutil.get_terminal_size().columns - 1      # a longer line would wrap
+            print(f'\r\x1b[K{line[:width]}', end='', flush=True)
+            self._on_line = True
+        elif time.monotonic() - self._shown_at > 1.0:
+            self._shown_at = time.monotonic()
+            print(line, flush=True)
+
+    def _end_line(self) -> None:
+        if self._on_line:
+            print()
+            self._on_line = False

@@ -1,0 +1,192 @@
+"""
+`./rvd report SESSION`: the paper's Table 3 for people, and what they felt.
+
+Reads the folders that the console's experiment desk leaves: `session.json`, and for each
+volunteer and flight `verdict.json` and `ratings.json`. Training flights do not count. A flight
+that was flown and not rated, or broken off, is counted as such and left out of the table.
+"""
+
+import csv
+import json
+from dataclasses import dataclass
+from html import escape
+from pathlib import Path
+from statistics import mean, median, stdev
+from typing import Any
+
+from rvd_campaign.campaign.stats import wilson
+from rvd_campaign.report.page import STYLE
+from rvd_groundstation.console.desk import RATINGS, WEIGHTS
+
+SESSION = 'session.json'
+COLUMNS = ('volunteer', 'number', 'condition', 'mode', 'training', 'seed', 'reason', 'success',
+           'duration_s', 'x_rate_m_s', 'offset_m', 'lateral_rate_m_s', 'delta_v_m_s',
+           'cooper_harper', 'tlx', 'tlx_weighted')
+
+
+@dataclass(frozen=True)
+class Condition:
+    """What the flights of one condition came to."""
+
+    name: str
+    flights: int
+    successes: int
+    interval: tuple[float, float]       # Wilson 95 %
+    x_rate: float | None                # [m/s] means over successes, as in the paper
+    offset: float | None                # [m]
+    lateral_rate: float | None          # [m/s]
+    cooper_harper: tuple                # median, lowest, highest
+    tlx: tuple                          # mean, standard deviation (None for one flight)
+    tlx_weighted: tuple | None          # likewise; None where weights were not asked for
+
+
+def is_session(folder: Path) -> bool:
+    """Say whether `folder` is one that the experiment desk made."""
+    return (folder / SESSION).is_file()
+
+
+def write_session_report(folder: Path) -> Path:
+    """
+    Write `flights.csv` and `report.html` of a session; return the latter's path.
+
+    Raises
+    ------
+    ValueError
+        If no rated flight is in it.
+    """
+    session = json.loads((folder / SESSION).read_text(encoding='utf-8'))
+    flights, left_out = read_flights(folder)
+    if not any(not flight['training'] for flight in flights):
+        raise ValueError(f'session {folder} has no rated flight yet')
+    with (folder / 'flights.csv').open('w', newline='', encoding='utf-8') as file:
+        writer = csv.DictWriter(file, COLUMNS)
+        writer.writeheader()
+        writer.writerows(flights)
+    table = conditions(flights, list(session['conditions']))
+    report = folder / 'report.html'
+    report.write_text(_page(session, table, flights, left_out), encoding='utf-8')
+    return report
+
+
+def read_flights(folder: Path) -> tuple[list[dict[str, Any]], int]:
+    """Return a row per rated flight, training too, and how many flights are not rated."""
+    rows, left_out = [], 0
+    for file in sorted(folder.glob('P*/*/verdict.json')):
+        verdict = json.loads(file.read_text(encoding='utf-8'))
+        ratings_file = file.with_name(RATINGS)
+        if not ratings_file.is_file():
+            left_out += 1
+            continue
+        ratings = json.loads(ratings_file.read_text(encoding='utf-8'))
+        end = verdict.get('terminal', {})
+        rows.append({
+            **{key: ratings[key] for key in ('volunteer', 'number', 'condition', 'mode',
+                                             'training', 'seed')},
+            'reason': verdict['reason'], 'success': verdict['success'],
+            'duration_s': verdict.get('duration_s'), 'x_rate_m_s': end.get('x_rate_m_s'),
+            'offset_m': end.get('offset_m'), 'lateral_rate_m_s': end.get('lateral_rate_m_s'),
+            'delta_v_m_s': verdict.get('delta_v_m_s'),
+            'cooper_harper': ratings['cooper_harper']['rating'], 'tlx': ratings['tlx']['mean'],
+            'tlx_weighted': _weighted(ratings, file.parent.parent)})
+    return rows, left_out
+
+
+def _weighted(ratings: dict[str, Any], volunteer: Path) -> float | None:
+    """Return the weighted workload of a flight; None where the pairs were not asked for."""
+    file = volunteer / WEIGHTS
+    asked = json.loads(file.read_text(encoding='utf-8')) if file.is_file() else {}
+    weights = asked.get(ratings['condition'])
+    if weights is None:
+        return None
+    return sum(weights[scale] * ratings['tlx'][scale] for scale in weights) / sum(weights.values())
+
+
+def conditions(flights: list[dict[str, Any]], names: list[str]) -> list[Condition]:
+    """Return the table: one entry per condition that has flights that count."""
+    made = []
+    for name in names:
+        rows = [f for f in flights if f['condition'] == name and not f['training']]
+        if not rows:
+            continue
+        good = [f for f in rows if f['success']]
+        ratings = [f['cooper_harper'] for f in rows]
+        made.append(Condition(
+            name, len(rows), len(good), wilson(len(good), len(rows)), _mean(good, 'x_rate_m_s'),
+            _mean(good, 'offset_m'), _mean(good, 'lateral_rate_m_s'),
+            (median(ratings), min(ratings), max(ratings)),
+            _spread([f['tlx'] for f in rows]),
+            _spread([f['tlx_weighted'] for f in rows if f['tlx_weighted'] is not None])))
+    return made
+
+
+def _spread(load: list[float]) -> tuple | None:
+    """Return mean and standard deviation of workloads; None where there is none."""
+    if not load:
+        return None
+    return mean(load), stdev(load) if len(load) > 1 else None
+
+
+def pairs(flights: list[dict[str, Any]], first: str, second: str) -> tuple[int, int, int, int]:
+    """
+    Return how flights of one volunteer with one seed went in two conditions.
+
+    The numbers are: both docked, only the first, only the second, neither.
+    """
+    of = {name: {(f['volunteer'], f['seed']): f['success'] for f in flights
+                 if f['condition'] == name and not f['training']} for name in (first, second)}
+    both = [(of[first][key], of[second][key]) for key in of[first].keys() & of[second].keys()]
+    return (both.count((True, True)), both.count((True, False)), both.count((False, True)),
+            both.count((False, False)))
+
+
+def _mean(rows: list[dict[str, Any]], key: str) -> float | None:
+    values = [row[key] for row in rows if row[key] is not None]
+    return mean(values) if values else None
+
+
+def _number(value: float | None, digits: int) -> str:
+    return '–' if value is None else f'{value:.{digits}f}'
+
+
+def _row(c: Condition, weighted: bool) -> str:
+    cells = (escape(c.name), str(c.flights),
+             f'{c.successes / c.flights:.2f} [{c.interval[0]:.2f}, {c.interval[1]:.2f}]',
+             _number(c.x_rate, 4), _number(c.offset, 4), _number(c.lateral_rate, 4),
+             f'{c.cooper_harper[0]:g} ({c.cooper_harper[1]}–{c.cooper_harper[2]})', _load(c.tlx))
+    if weighted:
+        cells += (_load(c.tlx_weighted or (None, None)),)
+    return '<tr>' + ''.join(f'<td>{cell}</td>' for cell in cells) + '</tr>'
+
+
+def _load(spread: tuple) -> str:
+    return _number(spread[0], 1) + ('' if spread[1] is None else f' ± {spread[1]:.1f}')
+
+
+def _page(session: dict[str, Any], table: list[Condition], flights: list[dict[str, Any]],
+          left_out: int) -> str:
+    people = sorted({f['volunteer'] for f in flights})
+    compared = ''
+    if len(table) == 2:
+        both, first, second, neither = pairs(flights, table[0].name, table[1].name)
+        compared = (f'<p>Pairs of one volunteer and one seed: both docked {both}, only '
+                    f'{escape(table[0].name)} {first}, only {escape(table[1].name)} {second}, '
+                    f'neither {neither}.</p>')
+    weighted = any(c.tlx_weighted is not None for c in table)
+    rows = ''.join(_row(c, weighted) for c in table)
+    more_head = '<th>NASA-TLX, weighted</th>' if weighted else ''
+    more_words = (' Weighted: by how often a volunteer chose each scale in the 15 pairs, asked '
+                  'once for each condition.' if weighted else '')
+    return f'''<!doctype html><html lang="en"><head><meta charset="utf-8">
+<title>{escape(session['title'])}</title><style>{STYLE}</style></head><body>
+<header><h1>{escape(session['title'])}</h1><p>{len(people)} volunteers, {len(flights)} rated
+flights, training included; {left_out} flown and not rated.</p></header><main>
+<h2>Conditions</h2><table class="numbers"><tr><th>condition</th><th>flights</th>
+<th>success, 95 %</th><th>closing rate, m/s</th><th>offset, m</th><th>lateral rate, m/s</th>
+<th>Cooper-Harper</th><th>NASA-TLX</th>{more_head}</tr>{rows}</table>
+<p>Closing rate, offset and lateral rate are means over successes, as in Table 3 of the paper
+(manual .76, .2498, .1444, .0182; shared .91, .2501, .1347, .0186). Success with its Wilson
+interval, which takes flights of one volunteer as independent. Cooper-Harper: median (lowest to
+highest), 1 is best. NASA-TLX: mean of the six scales ± standard deviation, 0 to
+100.{more_words}</p>
+{compared}<p>Every flight: <code>flights.csv</code>.</p></main></body></html>
+'''

@@ -1,0 +1,235 @@
+"""
+`report.html`: one page that tells a run from its bag alone, and stands by itself.
+
+No script, no request to anywhere; prints; light or dark as the reader's system is.
+"""
+
+from collections import Counter
+from html import escape
+import math
+from pathlib import Path
+import re
+from typing import Iterable
+
+from rvd_dynamics.recording.reader import LINK_COUNTS, LinkHistory, read, Recording
+from rvd_campaign.report.figures import svg
+from rvd_campaign.report.page import CAPTIONS, STYLE
+from rvd_campaign.flight.verdict import WORDS
+from rvd_dynamics.commands import codes
+from rvd_dynamics.recording.bag_writer import repair
+
+YES, NO, DOT = '\u2713', '\u2717', ' \u00b7 '
+DECIDED = {codes.BY_NOBODY: 'nobody (no valid input)', codes.BY_PILOT: 'pilot alone',
+           codes.BY_AUTO: 'automatic alone', codes.BY_BLEND: 'pilot and automatic',
+           codes.BY_GUARD: 'onboard guard'}
+REFUSED = {codes.REASON_LENGTH: 'length', codes.REASON_CHECKSUM: 'checksum',
+           codes.REASON_ORDER: 'order', codes.REASON_AGE: 'age', codes.REASON_RANGE: 'range'}
+
+
+def write_report(run_dir: Path) -> Path:
+    """
+    Write the report of a run folder (or a bag folder) from its bag; return where it is.
+
+    A bag that was cut off is repaired first, and the report says what is missing in it.
+
+    Raises
+    ------
+    ValueError
+        If there is no bag, or the page cannot be written.
+    """
+    run_dir = Path(run_dir)
+    folder = run_dir / 'bag' if (run_dir / 'bag').is_dir() else run_dir
+    if folder.is_dir():
+        try:
+            repair(folder)
+        except OSError:
+            pass                                # read as it is
+    home = run_dir.parent if run_dir.is_file() or folder == run_dir and run_dir.name == 'bag' \
+        else run_dir
+    target = home / 'report.html'
+    draft = target.with_suffix('.html.part')
+    text = page(read(run_dir))
+    try:
+        draft.write_text(text, encoding='utf-8')
+        draft.replace(target)
+    except OSError as error:
+        draft.unlink(missing_ok=True)
+        raise ValueError(f'cannot write {target}: {error.strerror}') from None
+    return target
+
+
+def page(run: Recording) -> str:
+    """Return the report as HTML."""
+    words = headline(run)
+    sections = [
+        _banner(run),
+        f'<section><h2>Verdict</h2>{_verdict_table(run)}</section>',
+        *(_figure(name, run) for name in CAPTIONS if run.last_step >= 0),
+        f'<section><h2>Link counts</h2>{_link_table(run)}</section>',
+        f'<section><h2>Commands</h2>{_command_table(run)}</section>',
+        f'<section><h2>Events</h2>{_events(run)}</section>',
+        f'<section><h2>Recording</h2>{_recording_table(run)}</section>',
+        _scenario(run)]
+    return (
+        '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">'
+        f'<title>{escape(words)}</title><style>{STYLE}</style></head><body>'
+        f'{_header(run, words)}<main>{"".join(sections)}</main></body></html>\n')
+
+
+def headline(run: Recording) -> str:
+    """Return the verdict in words."""
+    if not run.verdict.get('final'):
+        return 'no verdict: the recording ends before the run does'
+    words = WORDS.get(run.verdict['reason'], run.verdict['reason'])
+    return f'{words} after {run.verdict["duration"]:.1f} s'
+
+
+def _header(run: Recording, words: str) -> str:
+    mission = run.mission
+    mark, kind = (YES, 'good') if run.verdict.get('success') else (NO, 'bad')
+    if not run.verdict.get('final'):
+        mark, kind = '?', 'open'
+    name = re.match(r'# Scenario (\S+)', run.scenario_text)
+    facts = [
+        f'scenario <b>{escape(name[1] if name else "unknown")}</b>',
+        f'mode <b>{escape(mission.mode)}</b>', f'operator <b>{escape(mission.operator)}</b>',
+        f'seed <b>{mission.seed}</b>, run <b>{mission.run}</b>',
+        f'step <b>{mission.step_s:g} s</b>',
+        f'delay <b>{mission.forward_delay_s:g} + {mission.back_delay_s:g} s</b>']
+    return (f'<header class="{kind}"><h1><span class="mark">{mark}</span> '
+            f'{escape(words[0].upper() + words[1:])}</h1><p>{DOT.join(facts)}</p></header>')
+
+
+def _banner(run: Recording) -> str:
+    """Say plainly what the bag does not hold; nothing if it holds everything."""
+    said = []
+    where = (f'at step {run.last_step} ({run.last_step * run.mission.step_s:g} s)'
+             if run.last_step >= 0 else 'before the first step')
+    if not run.closed:
+        said.append(f'The bag was cut off {where}; what came after that is not in it.')
+    elif not run.ended:
+        said.append(f'The recording was stopped {where}, before the run ended.')
+    if any(run.missing.values()):
+        said.append(f'Steps that are not in the bag: {_listed(run.missing)}.')
+    if any(run.lost.values()):
+        said.append(f'Received but not stored: {_listed(run.lost)}.')
+    if run.trouble:
+        said.append(f'The recorder said: {escape(run.trouble)}.')
+    if not run.scenario_text:
+        said.append('The bag holds no scenario: the default settings are assumed below.')
+    return f'<p class="warning">{" ".join(said)}</p>' if said else ''
+
+
+def _listed(counts: dict[str, int]) -> str:
+    """Return counts per topic, or their sum where there are many."""
+    given = {topic: n for topic, n in counts.items() if n}
+    if len(given) > 4:
+        return f'{sum(given.values())} messages of {len(given)} topics (see Recording below)'
+    return ', '.join(f'{n} of {escape(topic)}' for topic, n in given.items())
+
+
+def _table(head: Iterable[str], rows: Iterable[Iterable[str]], kind: str = '') -> str:
+    cells = ''.join(f'<th>{h}</th>' for h in head)
+    body = ''.join('<tr>' + ''.join(f'<td>{c}</td>' for c in row) + '</tr>' for row in rows)
+    return f'<table class="{kind}"><thead><tr>{cells}</tr></thead><tbody>{body}</tbody></table>'
+
+
+def _number(value: float, digits: int, unit: str) -> str:
+    return f'{value:.{digits}f} {unit}' if math.isfinite(value) else 'not reached'
+
+
+def _verdict_table(run: Recording) -> str:
+    v, mission = run.verdict, run.mission
+    if not v:
+        return '<p>The bag holds no verdict.</p>'
+    rate, turn = mission.docking.max_closing_rate_m_s, mission.docking.max_lateral_rate_m_s
+    radius = mission.corridor.docking_radius_m
+
+    def row(name: str, value: float, digits: int, unit: str, limit: float, inside: bool) -> tuple:
+        known = math.isfinite(value)
+        share = min(max(value / limit, 0.0), 1.0) if known and limit > 0 else 0.0
+        meter = (f'<span class="meter"><span style="width:{100 * share:.0f}%" '
+                 f'class="{"good" if inside else "bad"}"></span></span>' if limit > 0 else '')
+        return (name, _number(value, digits, unit),
+                f'below {limit:g} {unit}' if limit > 0 else 'above 0 m', meter,
+                (YES if inside else NO) if known else '')
+
+    rows = [
+        row('least corridor margin', v['min_corridor_margin'], 3, 'm', 0.0,
+            v['min_corridor_margin'] > 0.0),
+        row('closing rate at the docking plane', v['x_rate'], 4, 'm/s', rate,
+            0.0 < v['x_rate'] < rate),
+        row('lateral offset there', v['offset'], 4, 'm', radius, v['offset'] < radius),
+        row('lateral rate there', v['lateral_rate'], 4, 'm/s', turn, v['lateral_rate'] < turn)]
+    text = _table(('criterion', 'value', 'limit', 'used', ''), rows, 'wide')
+    left = ''
+    if math.isfinite(v['exit_time']):
+        x, y, z = v['exit_position']
+        left = (f' It left the corridor at {v["exit_time"]:.1f} s, at x = {x:.2f} m, '
+                f'y = {y:.2f} m, z = {z:.2f} m.')
+    end = 'end' if v['final'] else 'the last judgement in the bag'
+    return (f'{text}<p>{v["duration"]:.2f} s from start to {end}; thrust executed '
+            f'{v["delta_v"]:.3f} m/s, summed over the axes.{left}</p>')
+
+
+def _figure(name: str, run: Recording) -> str:
+    title, caption = CAPTIONS[name]
+    return (f'<figure><h2>{title}</h2>{svg(name, run)}'
+            f'<figcaption>{caption}</figcaption></figure>')
+
+
+def _link_table(run: Recording) -> str:
+    links = {'forward': run.forward, 'back': run.back}
+    rows = [[name.replace('_', ' ')] + [str(link.last.get(name, '')) for link in links.values()]
+            for name in LINK_COUNTS]
+    for name, text in (('delay_p50', 'measured transit, median'), ('delay_p99', '99th percentile'),
+                       ('delay_max', 'largest'), ('play_out_delay', 'constant delay made of it')):
+        rows.append([text] + [_number(link.last[name], 3, 's') if link.last else ''
+                              for link in links.values()])
+    rows.append(['balance'] + [_balance(link) for link in links.values()])
+    return _table(('frames', *links), rows, 'numbers')
+
+
+def _balance(link: LinkHistory) -> str:
+    """Return the balance of the last counts as a sum that can be checked by eye."""
+    last = link.last
+    if not last:
+        return 'never heard'
+    left = last['sent'] + last['duplicated']
+    right = sum(int(last[name]) for name in LINK_COUNTS[2:9])
+    return f'{left} = {right} {YES}' if left == right else f'{left} \u2260 {right} {NO}'
+
+
+def _command_table(run: Recording) -> str:
+    by = Counter(run.ground.decided_by.tolist())
+    total = max(len(run.ground.step), 1)
+    rows = [(DECIDED.get(who, str(who)), str(n), f'{100 * n / total:.0f} %')
+            for who, n in sorted(by.items())]
+    refused = Counter(r for r in run.onboard.reason.tolist() if r in REFUSED)
+    text = ', '.join(f'{n} for {REFUSED[r]}' for r, n in sorted(refused.items())) or 'none'
+    empty = int((run.onboard.reason == codes.REASON_EMPTY).sum())
+    return (_table(('decided by', 'steps', 'share'), rows, 'numbers')
+            + f'<p>Commands the onboard guard refused: {text}. '
+              f'Steps without a command on board: {empty}.</p>')
+
+
+def _events(run: Recording) -> str:
+    if not run.events:
+        return '<p>None.</p>'
+    return _table(('time [s]', 'node', 'code', ''),
+                  ((f'{e.t:.1f}', escape(e.node), escape(e.code), escape(e.text))
+                   for e in run.events), 'wide')
+
+
+def _recording_table(run: Recording) -> str:
+    rows = [(escape(topic), str(n), str(run.missing.get(topic, '')), str(run.lost.get(topic, 0)))
+            for topic, n in run.counts.items()]
+    return _table(('topic', 'messages', 'steps missing', 'not stored'), rows, 'numbers')
+
+
+def _scenario(run: Recording) -> str:
+    if not run.scenario_text:
+        return ''
+    return ('<section><details><summary><h2>Scenario as flown</h2></summary>'
+            f'<pre>{escape(run.scenario_text)}</pre></details></section>')

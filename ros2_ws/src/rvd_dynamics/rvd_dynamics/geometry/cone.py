@@ -1,0 +1,163 @@
+"""
+Safe corridor: the inside of a cone about the approach axis, and its control boundary.
+
+Frame   target orbital; positions (x, y, z) [m] on the last axis, leading axes are batch axes.
+Shape   wall radius R(x) = d - x tan(alpha): d at the docking plane x = 0, wider towards -x,
+        apex at x = d / tan(alpha) behind the plane. rho is the distance from the x axis.
+Source  Zhang, Li, Tang 2014, eq. 12-24, corrected: see docs/models/corridor.md. What is
+        printed differently there can be had by a keyword, for study only.
+"""
+
+from math import cos, inf, sin
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rvd_dynamics.mission import CorridorParams
+from rvd_dynamics.diagram.params import require
+
+Array = NDArray[np.float64]
+
+SLOWEST_RATE = 0.01                     # [m/s] below, the drift of eq. 18 is no approach
+
+
+def radius(x: ArrayLike, corridor: CorridorParams) -> Array:
+    """Return the wall radius R(x) [m] at stations `x` [m] (eq. 12)."""
+    return corridor.docking_radius_m - np.asarray(x, dtype=float) * corridor.tan_alpha
+
+
+def signed_distance(position: ArrayLike, corridor: CorridorParams) -> Array:
+    """
+    Return the distance to the wall [m], positive inside (eq. 13 with its sign).
+
+    `position` is (..., 3), the result (...). It is the distance to the cone as far as that
+    reaches, also a little past the docking plane; in the shadow of the apex, where no run
+    gets, it is a lower bound.
+    """
+    x, y, z = _components(position)
+    return distance_at(x, np.sqrt(y*y + z*z), corridor)
+
+
+def distance_at(x: ArrayLike, rho: ArrayLike, corridor: CorridorParams) -> Array:
+    """Return `signed_distance` from stations x [m] and distances rho from the axis [m]."""
+    c = cos(corridor.alpha)
+    return (corridor.docking_radius_m*c - sin(corridor.alpha)*x) - c*rho
+
+
+def unsigned_distance(position: ArrayLike, corridor: CorridorParams) -> Array:
+    """Return eq. 13 as printed: the absolute value, which hides an exit. For study only."""
+    return np.abs(signed_distance(position, corridor))
+
+
+def outward_normal(position: ArrayLike, corridor: CorridorParams) -> Array:
+    """
+    Return the unit vector (..., 3) from `position` (..., 3) inside towards the nearest wall.
+
+    On the axis (rho = 0) the nearest wall is a circle and the lateral part is zero.
+    """
+    x, y, z = _components(position)
+    rho = np.sqrt(y*y + z*z)
+    unknown = 0.0 * (x + rho)               # 0, or NaN: an unknown position has no normal
+    lateral = cos(corridor.alpha) * _reciprocal(rho) + unknown
+    return np.moveaxis(np.stack([sin(corridor.alpha) + unknown, lateral*y, lateral*z]), 0, -1)
+
+
+def nearest_point(position: ArrayLike, corridor: CorridorParams) -> Array:
+    """
+    Return the point q (..., 3) of the wall nearest to `position` (..., 3): q = p + D n.
+
+    Near the docking plane it may lie up to d sin(alpha) cos(alpha) past it. On the axis it
+    is the station of the nearest circle, x + D sin(alpha), with no lateral part.
+    """
+    position = np.asarray(position, dtype=float)
+    distance = signed_distance(position, corridor)
+    return position + distance[..., np.newaxis] * outward_normal(position, corridor)
+
+
+def ray_nearest_point(position: ArrayLike, corridor: CorridorParams,
+                      printed: bool = False) -> Array:
+    """
+    Return the same point q (..., 3) by the ray from the apex (eq. 14-16, corrected).
+
+    With `printed` eq. 14 and 15 are taken as they stand, with the distance where x_p is
+    meant and without the factor j of the first term: wrong by metres, for study only.
+    """
+    x, y, z = _components(position)
+    apex = corridor.docking_radius_m / corridor.tan_alpha
+    rho = np.sqrt(y*y + z*z)
+    wall = np.abs(x*corridor.tan_alpha - corridor.docking_radius_m)     # j rho
+    j = wall * _reciprocal(rho)
+    if printed:
+        along = unsigned_distance(position, corridor) - apex
+        projection = rho*rho - along*apex + x*along
+    else:
+        along = x - apex
+        projection = along*along + wall*rho
+    k = projection / (along*along + wall*wall)
+    return np.stack([apex + along*k, j*y*k, j*z*k], axis=-1)
+
+
+def drift_rate(offset: ArrayLike, n: float, rate: float = 0.25) -> Array:
+    """
+    Return the lateral rate [m/s] that free drift has at `offset` [m] from the axis (eq. 20).
+
+    The drift starts on the axis with closing rate `rate` [m/s] in an orbit of rate `n`
+    [rad/s]. It never gets beyond 4 rate / n; there, and at the axis, the rate is 0.
+    """
+    u = np.clip(n / (2.0*rate) * np.asarray(offset, dtype=float), 0.0, 2.0)
+    return 2.0*rate * np.sqrt(u*(2.0 - u))          # 1 - (1 - u)^2 without cancellation
+
+
+def control_boundary(x: ArrayLike, corridor: CorridorParams, n: float, rate: float = 0.25,
+                     delay: float = 10.0, at_arrival: bool = True,
+                     clamp: bool = True) -> Array:
+    """
+    Return the radius [m] of the control boundary at stations `x` [m] (eq. 21-24, corrected).
+
+    Whoever drifts outside it can reach the wall before a command sent now acts.
+
+    Parameters
+    ----------
+    x : array_like, shape (...)
+        Stations [m]; past the docking plane there is no time left, the result is R(x).
+    corridor : CorridorParams
+        The cone.
+    n : float
+        Orbital rate [rad/s].
+    rate : float
+        Nominal closing rate [m/s].
+    delay : float
+        Delay of the whole loop [s].
+    at_arrival, clamp : bool
+        False gives the printed variants, for study only: the drift rate taken at x instead of
+        at the station reached after the delay (the boundary then jumps at x = -rate delay),
+        and no limit at 0 (a long delay then gives negative radii).
+
+    Raises
+    ------
+    ValueError
+        If `rate` is below 0.01 m/s, or `delay` or `n` is impossible.
+    """
+    require(SLOWEST_RATE <= rate < inf, 'rate', f'be at least {SLOWEST_RATE}', rate)
+    require(0.0 <= delay < inf, 'delay', 'be finite and not negative', delay)
+    require(n > 0.0, 'n', 'be positive', n)
+    x = np.asarray(x, dtype=float)
+    wall = radius(x, corridor)
+    lead = np.minimum(np.maximum(-x, 0.0) / rate, delay)    # time until the command or docking
+    arrival = x + rate*lead
+    beyond = lead < delay                                   # docks before the command acts
+    station = arrival if at_arrival else np.where(beyond, arrival, x)
+    shrink = lead * (rate*corridor.tan_alpha
+                     + drift_rate(radius(station, corridor), n, rate))
+    return np.maximum(wall - shrink, 0.0) if clamp else wall - shrink
+
+
+def _components(position: ArrayLike) -> tuple[Array, Array, Array]:
+    position = np.asarray(position, dtype=float)
+    return position[..., 0], position[..., 1], position[..., 2]
+
+
+def _reciprocal(rho: Array) -> Array:
+    """Return 1 / rho, and 0 on the axis; NaN stays NaN."""
+    rho = np.asarray(rho)
+    return np.divide(1.0, rho, out=np.zeros_like(rho), where=rho != 0.0)

@@ -1,5 +1,0 @@
-"""Sensor models; the table is `SENSORS`."""
-
-from rvd_dynamics.sensors.models import Multiplicative, SENSORS
-
-__all__ = ['Multiplicative', 'SENSORS']
