@@ -8,17 +8,61 @@ Source  Zhang, Li, Tang 2014, Table 2 (accelerations). The paper does not say ho
 """
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import lru_cache
+from struct import Struct
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rvd_dynamics.mission import StickParams, ThrustParams
+from rvd_dynamics.diagram.params import param, require
 
 HIGHEST = 3                             # levels run from -HIGHEST to HIGHEST
+LEVELS = range(-HIGHEST, HIGHEST + 1)
 AXES = np.arange(3, dtype=np.int8)
 NEUTRAL = np.zeros(3, dtype=np.int8)
 NEUTRAL.flags.writeable = False
+
+
+@dataclass(frozen=True)
+class ThrustParams:
+    """Thrust acceleration of the levels 1, 2, 3 (Table 2)."""
+
+    x_m_s2: tuple = param((0.01, 0.02, 0.03), 'Levels 1, 2, 3 along x [m/s^2].')
+    lateral_m_s2: tuple = param((0.005, 0.01, 0.02), 'Levels 1, 2, 3 along y and z [m/s^2].')
+
+    def __post_init__(self) -> None:
+        for name in ('x_m_s2', 'lateral_m_s2'):
+            a = getattr(self, name)
+            require(len(a) == 3 and 0.0 < a[0] < a[1] < a[2] < float('inf'), f'thrust.{name}',
+                    'be three positive rising numbers', list(a))
+
+
+@dataclass(frozen=True)
+class StickParams:
+    """How a `sensor_msgs/Joy` becomes levels; the defaults are those of the `joy` ecosystem."""
+
+    axis_x: int = param(1, 'Index of the axis that commands x.')
+    axis_y: int = param(0, 'Index of the axis that commands y.')
+    axis_z: int = param(4, 'Index of the axis that commands z.')
+    sign_x: int = param(1, '+1 or -1: sense of the x axis.')
+    sign_y: int = param(1, '+1 or -1: sense of the y axis.')
+    sign_z: int = param(1, '+1 or -1: sense of the z axis.')
+    dead_zone: float = param(0.05, 'Deflection that still counts as neutral, of 1.')
+    deadman_button: int = param(4, 'Index of the button that must be held; -1: none.')
+
+    def __post_init__(self) -> None:
+        for name in ('axis_x', 'axis_y', 'axis_z'):
+            require(0 <= getattr(self, name) < 64, f'stick.{name}', 'be 0 to 63',
+                    getattr(self, name))
+        require(len({self.axis_x, self.axis_y, self.axis_z}) == 3, 'stick.axis_x, axis_y, axis_z',
+                'differ', [self.axis_x, self.axis_y, self.axis_z])
+        for name in ('sign_x', 'sign_y', 'sign_z'):
+            require(getattr(self, name) in (-1, 1), f'stick.{name}', 'be 1 or -1',
+                    getattr(self, name))
+        require(0.0 <= self.dead_zone < 1.0, 'stick.dead_zone', 'be 0 up to 1', self.dead_zone)
+        require(-1 <= self.deadman_button < 64, 'stick.deadman_button', 'be -1 to 63',
+                self.deadman_button)
 
 
 @lru_cache(maxsize=16)
@@ -118,3 +162,31 @@ def stick_levels(axes: Sequence[float], buttons: Sequence[int],
         return NEUTRAL.copy(), False
     levels = level_of_deflection([axes[i] for i in wanted], stick.dead_zone)
     return levels * np.array((stick.sign_x, stick.sign_y, stick.sign_z), dtype=np.int8), True
+
+
+@dataclass(frozen=True)
+class LevelForm:
+    """
+    The command form of level thrusters; see `commands.form`.
+
+    A command is three whole levels -3..3 along x, y, z, shape (..., 3) of int8.
+    """
+
+    thrust: ThrustParams = ThrustParams()
+
+    alphabet = np.arange(-HIGHEST, HIGHEST + 1, dtype=np.int8)      # of each axis
+    neutral = NEUTRAL
+    retreat = np.array((-HIGHEST, 0, 0), dtype=np.int8)             # brake and back away
+    wire = Struct('<3b')
+
+    def effect(self, command: ArrayLike) -> NDArray[np.float64]:
+        """Return the nominal acceleration (..., 3) [m/s^2] of commands (..., 3)."""
+        return acceleration(command, self.thrust)
+
+    def quantise(self, wanted: ArrayLike) -> NDArray[np.int8]:
+        """Return the command nearest to accelerations (..., 3) [m/s^2]; neutral where unknown."""
+        return nearest_level(wanted, self.thrust)
+
+    def legal(self, command: Sequence) -> bool:
+        """Say whether a command, as it came over the wire, is one (NaN and 1.5 are not)."""
+        return all(level in LEVELS for level in command)

@@ -37,11 +37,11 @@ def default_of(f: Field) -> Any:
     return f.default_factory() if callable(f.default_factory) else f.default
 
 
-def build(settings: type, values: dict[str, Any], prefix: str = '', **wiring: Any) -> Any:
+def build(settings: type, values: dict[str, Any], prefix: str = '', label: str = '') -> Any:
     """
     Make `settings` from dotted keys; missing keys keep their defaults.
 
-    `wiring` goes to the fields of that name that are no parameters, nested ones included.
+    `label` stands before the keys in what is said about them.
 
     Raises
     ------
@@ -52,12 +52,11 @@ def build(settings: type, values: dict[str, Any], prefix: str = '', **wiring: An
     for f in fields(settings):
         key = prefix + f.name
         if 'doc' not in f.metadata:
-            if f.name in wiring:
-                made[f.name] = wiring[f.name]
-        elif is_dataclass(f.default_factory):
-            made[f.name] = build(f.default_factory, values, key + '.', **wiring)
+            continue
+        if is_dataclass(f.default_factory):
+            made[f.name] = build(f.default_factory, values, key + '.', label)
         elif key in values:
-            made[f.name] = coerce(key, values[key], default_of(f))
+            made[f.name] = coerce(label + key, values[key], default_of(f))
     return settings(**made)
 
 
@@ -143,3 +142,35 @@ def require(condition: bool, name: str, meaning: str, value: Any) -> None:
     """Refuse an impossible setting with its name and value (`condition` false also for NaN)."""
     if not condition:
         raise ValueError(f'{name} must {meaning}, got {value}')
+
+
+def wiring() -> Any:
+    """
+    Return a field that is no parameter: something that `diagram.build.wired` hands over by name.
+
+    It is None in a settings object that nothing has been handed to yet.
+    """
+    return field(default=None, metadata={'wiring': True})
+
+
+def is_wiring(f: Field) -> bool:
+    """Say whether a field is one that `wiring` made."""
+    return f.metadata.get('wiring', False)
+
+
+def whole_steps(name: str, seconds: float, step_s: float) -> int:
+    """
+    Return a duration in steps.
+
+    Raises
+    ------
+    ValueError
+        If it is not a whole number of steps; the text names the two nearest.
+    """
+    steps = round(seconds / step_s)
+    if abs(steps * step_s - seconds) > 1e-9:
+        below = int(seconds / step_s)
+        raise ValueError(
+            f'{name} must be a whole number of steps of {step_s:g} s, got {seconds:g}: the two '
+            f'nearest are {below * step_s:g} and {(below + 1) * step_s:g}')
+    return steps

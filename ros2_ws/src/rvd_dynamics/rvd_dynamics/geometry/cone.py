@@ -8,25 +8,50 @@ Source  Zhang, Li, Tang 2014, eq. 12-24, corrected: see docs/models/corridor.md.
         printed differently there can be had by a keyword, for study only.
 """
 
-from math import cos, inf, sin
+from dataclasses import dataclass
+from functools import cached_property
+from math import cos, inf, pi, radians, sin, tan
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rvd_dynamics.mission import CorridorParams
-from rvd_dynamics.diagram.params import require
+from rvd_dynamics.diagram.params import param, require
 
 Array = NDArray[np.float64]
 
 SLOWEST_RATE = 0.01                     # [m/s] below, the drift of eq. 18 is no approach
 
 
-def radius(x: ArrayLike, corridor: CorridorParams) -> Array:
+@dataclass(frozen=True)
+class Cone:
+    """Approach cone: its half angle, and its radius at the docking plane."""
+
+    half_angle_deg: float = param(3.0, 'Half angle of the corridor cone [deg].')
+    docking_radius_m: float = param(0.3, 'Radius of the corridor at the docking plane x = 0 [m].')
+
+    def __post_init__(self) -> None:
+        require(0.0 < self.half_angle_deg < 90.0, 'corridor.half_angle_deg',
+                'be between 0 and 90', self.half_angle_deg)
+        require(self.docking_radius_m > 0.0, 'corridor.docking_radius_m', 'be positive',
+                self.docking_radius_m)
+
+    @cached_property
+    def alpha(self) -> float:
+        """Half angle [rad]."""
+        return self.half_angle_deg * pi / 180.0
+
+    @cached_property
+    def tan_alpha(self) -> float:
+        """Slope of the wall."""
+        return tan(radians(self.half_angle_deg))
+
+
+def radius(x: ArrayLike, corridor: Cone) -> Array:
     """Return the wall radius R(x) [m] at stations `x` [m] (eq. 12)."""
     return corridor.docking_radius_m - np.asarray(x, dtype=float) * corridor.tan_alpha
 
 
-def signed_distance(position: ArrayLike, corridor: CorridorParams) -> Array:
+def signed_distance(position: ArrayLike, corridor: Cone) -> Array:
     """
     Return the distance to the wall [m], positive inside (eq. 13 with its sign).
 
@@ -38,18 +63,18 @@ def signed_distance(position: ArrayLike, corridor: CorridorParams) -> Array:
     return distance_at(x, np.sqrt(y*y + z*z), corridor)
 
 
-def distance_at(x: ArrayLike, rho: ArrayLike, corridor: CorridorParams) -> Array:
+def distance_at(x: ArrayLike, rho: ArrayLike, corridor: Cone) -> Array:
     """Return `signed_distance` from stations x [m] and distances rho from the axis [m]."""
     c = cos(corridor.alpha)
     return (corridor.docking_radius_m*c - sin(corridor.alpha)*x) - c*rho
 
 
-def unsigned_distance(position: ArrayLike, corridor: CorridorParams) -> Array:
+def unsigned_distance(position: ArrayLike, corridor: Cone) -> Array:
     """Return eq. 13 as printed: the absolute value, which hides an exit. For study only."""
     return np.abs(signed_distance(position, corridor))
 
 
-def outward_normal(position: ArrayLike, corridor: CorridorParams) -> Array:
+def outward_normal(position: ArrayLike, corridor: Cone) -> Array:
     """
     Return the unit vector (..., 3) from `position` (..., 3) inside towards the nearest wall.
 
@@ -62,7 +87,7 @@ def outward_normal(position: ArrayLike, corridor: CorridorParams) -> Array:
     return np.moveaxis(np.stack([sin(corridor.alpha) + unknown, lateral*y, lateral*z]), 0, -1)
 
 
-def nearest_point(position: ArrayLike, corridor: CorridorParams) -> Array:
+def nearest_point(position: ArrayLike, corridor: Cone) -> Array:
     """
     Return the point q (..., 3) of the wall nearest to `position` (..., 3): q = p + D n.
 
@@ -74,7 +99,7 @@ def nearest_point(position: ArrayLike, corridor: CorridorParams) -> Array:
     return position + distance[..., np.newaxis] * outward_normal(position, corridor)
 
 
-def ray_nearest_point(position: ArrayLike, corridor: CorridorParams,
+def ray_nearest_point(position: ArrayLike, corridor: Cone,
                       printed: bool = False) -> Array:
     """
     Return the same point q (..., 3) by the ray from the apex (eq. 14-16, corrected).
@@ -108,7 +133,7 @@ def drift_rate(offset: ArrayLike, n: float, rate: float = 0.25) -> Array:
     return 2.0*rate * np.sqrt(u*(2.0 - u))          # 1 - (1 - u)^2 without cancellation
 
 
-def control_boundary(x: ArrayLike, corridor: CorridorParams, n: float, rate: float = 0.25,
+def control_boundary(x: ArrayLike, corridor: Cone, n: float, rate: float = 0.25,
                      delay: float = 10.0, at_arrival: bool = True,
                      clamp: bool = True) -> Array:
     """
@@ -120,7 +145,7 @@ def control_boundary(x: ArrayLike, corridor: CorridorParams, n: float, rate: flo
     ----------
     x : array_like, shape (...)
         Stations [m]; past the docking plane there is no time left, the result is R(x).
-    corridor : CorridorParams
+    corridor : Cone
         The cone.
     n : float
         Orbital rate [rad/s].

@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rvd_dynamics.geometry import arc
-from rvd_dynamics.geometry.cone import distance_at
-from rvd_dynamics.mission import CorridorParams
+from rvd_dynamics.geometry.cone import Cone, distance_at
 
 Mask = NDArray[np.bool_]
 
@@ -22,7 +21,7 @@ SLACK = 1e-9            # [m] above rounding: when arcs are searched does not ch
 class Excursion:
     """Least margin and first exit of N runs; positions are (3, N) [m], times [s]."""
 
-    def __init__(self, n: int, corridor: CorridorParams, step_s: float) -> None:
+    def __init__(self, n: int, corridor: Cone, step_s: float) -> None:
         self._corridor = corridor
         self._step_s = step_s
         self._sampled = np.full(n, np.nan)              # least margin of the samples alone

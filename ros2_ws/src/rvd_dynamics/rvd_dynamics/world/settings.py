@@ -10,7 +10,7 @@ from math import inf
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rvd_dynamics.mission import Mission
+from rvd_dynamics.motion.orbit import StartParams
 from rvd_dynamics.world.plants.relative import TRUTH_MODELS
 from rvd_dynamics.diagram.params import choice, param, require
 from rvd_dynamics.world.sensors import SENSORS
@@ -45,11 +45,10 @@ class DynamicsParams:
         require(0.0 <= self.execution_noise_fraction <= 1.0, 'execution_noise_fraction',
                 'be between 0 and 1', self.execution_noise_fraction)
 
-    def start(self, mission: Mission, normals: ArrayLike) -> NDArray[np.float64]:
-        """Return start states (..., 6) for standard normal draws (..., 6)."""
-        nominal = np.array(mission.start.position_m + mission.start.velocity_m_s)
+    def start(self, start: StartParams, normals: ArrayLike) -> NDArray[np.float64]:
+        """Return states (..., 6) about the nominal start for standard normal draws (..., 6)."""
         sigma = np.array(self.scatter.sigma_position_m + self.scatter.sigma_velocity_m_s)
-        return nominal + sigma * np.asarray(normals, dtype=float)
+        return start.state + sigma * np.asarray(normals, dtype=float)
 
 
 SensorParams = choice('SensorParams', 'sensor', SENSORS, 'multiplicative', 'Sensor:')

@@ -15,7 +15,7 @@ Limits  two axes in the square inside the circle; no bound on the error of the p
         docs/models/barrier.md has the derivation, what was measured and the physical ceiling.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
 from math import inf, sqrt
 from typing import ClassVar, NamedTuple
@@ -23,11 +23,12 @@ from typing import ClassVar, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rvd_dynamics.geometry.cone import radius
-from rvd_dynamics.mission import Mission
-from rvd_dynamics.diagram.params import param, require
-from rvd_dynamics.commands.levels import acceleration, HIGHEST
-from rvd_groundstation.sharing import Eq25
+from rvd_dynamics.geometry.cone import Cone, radius
+from rvd_dynamics.motion.orbit import OrbitParams
+from rvd_dynamics.diagram.params import param, require, wiring
+from rvd_dynamics.diagram.run import Run
+from rvd_dynamics.commands.levels import HIGHEST, LevelForm
+from rvd_groundstation.operators.operation import Operation
 from rvd_groundstation.sharing.decision import Sharing
 
 Array = NDArray[np.float64]
@@ -53,8 +54,12 @@ class Ahead(NamedTuple):
 class Barrier:
     """Least change of the pilot's command that keeps a way to stop inside the corridor."""
 
-    mission: Mission
-    sharing: Sharing = field(default_factory=Eq25)      # wiring: what becomes of our levels
+    run: Run = wiring()
+    cone: Cone = wiring()
+    orbit: OrbitParams = wiring()
+    form: LevelForm = wiring()
+    sharing: Sharing = wiring()             # what becomes of our command
+    operation: Operation = wiring()
     uses_stick: ClassVar[bool] = True
 
     coasts_s: tuple = param((0.0, 8.0), 'Coasts before the brake, the worst counts [s].')
@@ -80,20 +85,23 @@ class Barrier:
             require(len(value) == 2 and -inf < value[0] < value[1] < inf, name,
                     'be two rising numbers', list(value))
 
-    def levels(self, prediction: ArrayLike, stick_levels: ArrayLike | None) -> Levels:
+    def wanted(self, prediction: ArrayLike, stick: ArrayLike | None) -> Array:
         """
-        Return automatic levels (..., 3); see `Law.levels`.
+        Return the effect (..., 3) [m/s^2] of the automatic command; see `Law.wanted`.
 
         Without a stick, and in mode auto, where nobody blends, the pilot counts as neutral and
-        the levels are the wanted command itself.
+        the automatic command is the one that shall come out itself.
         """
         prediction = np.asarray(prediction, dtype=float)
-        alone = stick_levels is None or self.mission.mode == 'auto'
-        stick = np.zeros((*prediction.shape[:-1], 3), dtype=np.int8) if alone else stick_levels
-        wanted = self.wanted(prediction, stick)
-        return wanted if alone else self._automatic[np.add(stick, HIGHEST), wanted + HIGHEST]
+        alone = stick is None or self.operation.mode == 'auto'
+        if alone:
+            stick = np.zeros((*prediction.shape[:-1], 3), dtype=np.int8)
+        outcome = self.outcome(prediction, stick)
+        if not alone:
+            outcome = self._automatic[np.add(stick, HIGHEST), outcome + HIGHEST]
+        return self.form.effect(outcome)
 
-    def wanted(self, prediction: ArrayLike, stick_levels: ArrayLike) -> Levels:
+    def outcome(self, prediction: ArrayLike, stick_levels: ArrayLike) -> Levels:
         """Return the command (..., 3) that shall come out; 0 where the state is unknown."""
         prediction = np.asarray(prediction, dtype=float)
         state = np.ascontiguousarray(prediction.reshape(-1, 6).T)
@@ -110,7 +118,7 @@ class Barrier:
 
     def violation(self, state: Array) -> Array:
         """Return by how much (7, 2, n) [m] each level misses the corridor from `state` (6, n)."""
-        dt = self.mission.step_s
+        dt = self.run.step_s
         ahead = self._ahead(state)
         accel = self._lateral[:, None, None] + ahead.drift
         p = (state[1:3] + state[4:6]*dt) + accel*(dt*dt/2.0)    # after one sample
@@ -121,7 +129,7 @@ class Barrier:
         return worst
 
     def _ahead(self, state: Array) -> Ahead:
-        n, dt = self.mission.orbit.mean_motion, self.mission.step_s
+        n, dt = self.orbit.mean_motion, self.run.step_s
         closing = np.maximum(state[3], SLOWEST_M_S)
         to_go = np.maximum(-state[0]/closing, 0.0)
         drift = np.zeros_like(state[1:3])
@@ -144,9 +152,9 @@ class Barrier:
         time /= brake
         np.minimum(time, ahead.left - coast, out=time)
         station = ahead.closing*time
-        station += ahead.x + ahead.closing*(self.mission.step_s + coast)
+        station += ahead.x + ahead.closing*(self.run.step_s + coast)
         np.minimum(station, 0.0, out=station)
-        bound = radius(station, self.mission.corridor)
+        bound = radius(station, self.cone)
         bound *= self.margin_fraction/sqrt(2.0)     # the square inside the circle
         end = v*time                                # v t - sign(v) a t^2 / 2
         time *= time
@@ -159,7 +167,7 @@ class Barrier:
 
     def _closing(self, rate: Array, stick: Levels) -> Levels:
         """Return the level along x: the pilot's, unless it drives the closing rate too far."""
-        after = rate + self._along[stick + HIGHEST]*self.mission.step_s
+        after = rate + self._along[stick + HIGHEST]*self.run.step_s
         slow, fast = self.keep_closing_m_s
         too_slow, too_fast = self.force_closing_m_s
         leaves = ((after <= slow) & (stick < 0)) | ((after >= fast) & (stick > 0))
@@ -180,7 +188,7 @@ class Barrier:
 
     @cached_property
     def _accelerations(self) -> Array:
-        return acceleration(np.repeat(LEVELS[:, None], 3, axis=1), self.mission.thrust)
+        return self.form.effect(np.repeat(LEVELS[:, None], 3, axis=1))
 
     @cached_property
     def _brake(self) -> float:

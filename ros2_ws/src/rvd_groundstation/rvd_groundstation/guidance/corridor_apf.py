@@ -23,10 +23,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rvd_dynamics.geometry.cone import (
-    control_boundary, outward_normal, radius, ray_nearest_point, signed_distance)
-from rvd_dynamics.mission import Mission
-from rvd_dynamics.diagram.params import param, require
-from rvd_dynamics.commands.levels import nearest_level
+    Cone, control_boundary, outward_normal, radius, ray_nearest_point, signed_distance)
+from rvd_dynamics.motion.orbit import OrbitParams
+from rvd_dynamics.diagram.params import param, require, wiring
+from rvd_dynamics.diagram.run import LegParams
 
 Array = NDArray[np.float64]
 CHOICES = {
@@ -43,7 +43,9 @@ CHOICES = {
 class CorridorApf:
     """Potential field of the corridor wall within the control boundary (eq. 9-24, corrected)."""
 
-    mission: Mission
+    cone: Cone = wiring()
+    orbit: OrbitParams = wiring()
+    leg_params: LegParams = wiring()
     uses_stick: ClassVar[bool] = False
 
     lambda_1_m3_s2: float = param(2e-4, 'Strength that grows towards the wall [m^3/s^2].')
@@ -75,9 +77,9 @@ class CorridorApf:
             require(getattr(self, name) in allowed, name, f'be one of {", ".join(allowed)}',
                     getattr(self, name))
 
-    def levels(self, prediction: ArrayLike, stick_levels: ArrayLike | None) -> NDArray[np.int8]:
-        """Return the nearest levels (..., 3) to `repulsion`; see `Law.levels`."""
-        return nearest_level(self.repulsion(prediction), self.mission.thrust)
+    def wanted(self, prediction: ArrayLike, stick: ArrayLike | None) -> Array:
+        """Return `repulsion` (..., 3); see `Law.wanted`."""
+        return self.repulsion(prediction)
 
     def repulsion(self, state: ArrayLike) -> Array:
         """
@@ -96,12 +98,11 @@ class CorridorApf:
 
     def boundary(self, x: ArrayLike) -> Array:
         """Return the radius [m] at stations `x` [m] (...) beyond which the field acts."""
-        corridor = self.mission.corridor
+        corridor = self.cone
         if self.band_m > 0.0:
             return np.maximum(radius(x, corridor) - self.band_m/cos(corridor.alpha), 0.0)
-        delay = self.mission.forward_delay_s + self.mission.back_delay_s
         found = control_boundary(
-            x, corridor, self.mission.orbit.mean_motion, self.closing_rate_m_s, delay,
+            x, corridor, self.orbit.mean_motion, self.closing_rate_m_s, self.leg_params.loop_s,
             at_arrival=self.boundary_rate == 'at_arrival',
             clamp=self.boundary_sign == 'clamped')
         return np.abs(found)                    # eq. 24 squares it; clamped it is no change
@@ -109,7 +110,7 @@ class CorridorApf:
     def _force(self, state: Array, rho: Array) -> Array:
         """Return eq. 11 everywhere, whether in the band or not."""
         position, velocity = state[..., :3], state[..., 3:]
-        d = signed_distance(position, self.mission.corridor)
+        d = signed_distance(position, self.cone)
         e = self._towards_wall(position, d)
         d = np.abs(d) if self.distance == 'printed_unsigned' else d
         d = np.maximum(d, self.least_distance_m)
@@ -127,7 +128,7 @@ class CorridorApf:
 
     def _towards_wall(self, position: Array, d: Array) -> Array:
         """Return e_pq (eq. 17): the normal, which does not turn round outside."""
-        corridor = self.mission.corridor
+        corridor = self.cone
         if self.nearest_point == 'printed_ray':
             e = ray_nearest_point(position, corridor, printed=True) - position
             length = np.sqrt(e[..., 0]*e[..., 0] + e[..., 1]*e[..., 1] + e[..., 2]*e[..., 2])
@@ -142,5 +143,5 @@ class CorridorApf:
         _, y, z, _, vy, vz = np.moveaxis(state, -1, 0)
         away = np.where(rho > 0.0, rho, 1.0)
         spin = (y*vz - z*vy) / (away*away*away)         # v_t / rho per metre of (-z, y)
-        scale = self.lambda_2_m_s2 * cos(self.mission.corridor.alpha)
+        scale = self.lambda_2_m_s2 * cos(self.cone.alpha)
         return scale * np.stack([np.zeros_like(spin), -z*spin, y*spin], axis=-1)

@@ -21,8 +21,8 @@ from math import exp, inf, prod, sqrt
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rvd_dynamics.geometry.cone import radius
-from rvd_dynamics.mission import Mission
+from rvd_dynamics.commands.levels import ThrustParams
+from rvd_dynamics.geometry.cone import Cone, radius
 from rvd_dynamics.diagram.params import param, require
 from rvd_dynamics.diagram.streams import PilotDraws
 
@@ -104,15 +104,20 @@ def with_display(params: PilotParams) -> PilotParams:
 class Pilot:
     """One pilot per row of the batch; called once per step, in order."""
 
-    def __init__(self, params: PilotParams, mission: Mission, draws: PilotDraws,
-                 skill_normal: ArrayLike, batch: tuple = ()) -> None:
+    def __init__(self, params: PilotParams, step_s: float, cone: Cone, thrust: ThrustParams,
+                 draws: PilotDraws, skill_normal: ArrayLike, batch: tuple = ()) -> None:
         """
         Sit down with neutral stick.
 
         Parameters
         ----------
         params : PilotParams
-        mission : Mission
+        step_s : float
+            Time between two calls [s].
+        cone : Cone
+            The corridor that the pilot keeps to.
+        thrust : ThrustParams
+            What the levels do.
         draws : PilotDraws
             Of the run, with leading axes `batch`.
         skill_normal : array_like, shape `batch`
@@ -121,8 +126,9 @@ class Pilot:
             Shape of the leading axes.
         """
         n = prod(batch)
-        self._params, self._mission, self._batch = params, mission, batch
-        self._per_s = 1.0 / mission.step_s                      # steps per second
+        self._params, self._cone, self._batch = params, cone, batch
+        self._step_s, self._lateral = step_s, thrust.lateral_m_s2
+        self._per_s = 1.0 / step_s                      # steps per second
         self._normals = draws.normals.reshape(n, -1, 10)
         self._uniforms = draws.uniforms.reshape(n, -1, 6)
         skill = np.asarray(skill_normal, dtype=float).reshape(n)
@@ -130,7 +136,7 @@ class Pilot:
         trust = params.display_trust if params.display else params.no_display_trust
         self._trust = np.clip(1.0 - (1.0 - trust)*self._gain, 0.0, 1.0)
         self._bias = np.ascontiguousarray(draws.initial_normals.reshape(n, 6).T)
-        self._keep = exp(-mission.step_s / params.bias_time_s)
+        self._keep = exp(-step_s / params.bias_time_s)
         self._shock = sqrt(1.0 - self._keep*self._keep)
         first = draws.initial_uniforms.reshape(n, 3).T
         self._decide_at = params.decision_interval_s*self._per_s * first     # (3, n) [steps]
@@ -194,7 +200,7 @@ class Pilot:
 
     def _awake(self, step: int, uniforms: Array) -> NDArray[np.bool_]:
         """Return who is attentive; a lapse may begin in any step outside one."""
-        chance = self._gain * (self._mission.step_s / self._params.lapse_interval_s)
+        chance = self._gain * (self._step_s / self._params.lapse_interval_s)
         begins = (step >= self._lapse_end) & (uniforms[0] < chance)
         if begins.any():
             length = self._params.lapse_s*self._per_s * -np.log(np.maximum(uniforms[1], TINIEST))
@@ -225,7 +231,7 @@ class Pilot:
         error = self._rate_error(shown, at, who)
         size = np.abs(error)
         change = p.pulse_gain*np.exp(p.pulse_spread*_at(normals[7:9], at)) * size   # N7 y, N8 z
-        first, second, third = self._mission.thrust.lateral_m_s2
+        first, second, third = self._lateral
         above_2, above_3 = change > p.level_2_m_s, change > p.level_3_m_s
         level = 1.0 + above_2 + above_3
         accel = np.where(above_3, third, np.where(above_2, second, first))
@@ -242,13 +248,13 @@ class Pilot:
 
     def _rate_error(self, shown: Array, at: NDArray[np.int64], who: NDArray[np.int64]) -> Array:
         """Return the lateral rate that is wanted minus the one perceived, (m,) [m/s]."""
-        p, corridor, gain = self._params, self._mission.corridor, self._gain[who]
+        p, gain = self._params, self._gain[who]
         to_go = np.maximum(-shown[0, who], 0.0)
         blur = gain * (p.position_bias_m + p.position_bias_per_m*to_go)
         offset = _at(shown[1:3], at) + blur*_at(self._bias[1:3], at)
         rate = _at(shown[4:6], at) + gain*(p.rate_bias_m_s*_at(self._bias[4:6], at))
         rate = np.where(np.abs(rate) < p.rate_threshold_m_s, 0.0, rate)
-        dead_zone = p.dead_zone_fraction * radius(-to_go, corridor)     # it shrinks on the way
+        dead_zone = p.dead_zone_fraction * radius(-to_go, self._cone)     # it shrinks on the way
         excess = np.sign(offset) * np.maximum(np.abs(offset) - dead_zone, 0.0)
         lead = p.lead_fraction/p.closing_rate_m_s * to_go
         lead = np.minimum(np.maximum(lead, p.lead_min_s), p.lead_max_s)

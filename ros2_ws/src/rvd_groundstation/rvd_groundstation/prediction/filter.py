@@ -20,9 +20,10 @@ from typing import NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from rvd_dynamics.mission import Mission, StartParams
 from rvd_dynamics.motion import cw
+from rvd_dynamics.motion.orbit import OrbitParams, StartParams
 from rvd_dynamics.diagram.params import param, require
+from rvd_dynamics.diagram.run import Run
 
 Array = NDArray[np.float64]
 FLOOR_STEP_S = 0.5                      # [s] step for which `process_variance_floor` is meant
@@ -86,7 +87,8 @@ class Schedule(NamedTuple):
     measurement_variances: Array        # (steps, 6) diagonal of R
 
 
-def gain_sequence(params: FilterParams, mission: Mission, steps: int) -> Schedule:
+def gain_sequence(params: FilterParams, start: StartParams, orbit: OrbitParams, step_s: float,
+                  steps: int) -> Schedule:
     """
     Run filterpy's Kalman filter once on the straight nominal approach.
 
@@ -96,7 +98,11 @@ def gain_sequence(params: FilterParams, mission: Mission, steps: int) -> Schedul
     Parameters
     ----------
     params : FilterParams
-    mission : Mission
+    start : StartParams
+        Where the approach begins.
+    orbit : OrbitParams
+    step_s : float
+        Time between two samples [s].
     steps : int
         Samples; the matrices of a longer schedule begin with those of a shorter one.
 
@@ -105,7 +111,7 @@ def gain_sequence(params: FilterParams, mission: Mission, steps: int) -> Schedul
     Schedule
         Read-only and shared between equal calls.
     """
-    return _schedule(params, mission.start, mission.step_s, mission.orbit.mean_motion, steps)
+    return _schedule(params, start, step_s, orbit.mean_motion, steps)
 
 
 @lru_cache(maxsize=8)
@@ -139,8 +145,8 @@ def _filterpy_filter(params: FilterParams, start: StartParams, step_s: float,
     return kf
 
 
-class Filter(Protocol):
-    """What `FILTERS` lists: made with (params, mission, batch, track)."""
+class TelemetryFilter(Protocol):
+    """What `FILTERS` lists: made with (params, run, orbit, start, batch, track)."""
 
     estimate: Array                     # (..., 6) after the last `advance`, at first the start
     covariance: Array | None            # (..., 6, 6) of it, or None when not tracked
@@ -152,19 +158,18 @@ class Filter(Protocol):
 class ScheduledFilter:
     """The filter with the gains of `gain_sequence`; one line serves (6,) and (N, 6)."""
 
-    def __init__(self, params: FilterParams, mission: Mission, batch: tuple = (),
-                 track: bool = True) -> None:
+    def __init__(self, params: FilterParams, run: Run, orbit: OrbitParams, start: StartParams,
+                 batch: tuple = (), track: bool = True) -> None:
         """
         Start at the nominal state.
 
         `batch` is the shape of the leading axes. `track` follows the covariance of each row
         through the samples that it lost; the estimate does not need it.
         """
-        n, dt = mission.orbit.mean_motion, mission.step_s
+        n, dt = orbit.mean_motion, run.step_s
         self._phi, self._gamma = cw.transition(n, dt), cw.input_matrix(n, dt)
-        self._schedule = gain_sequence(params, mission, mission.last_step + 1)
-        nominal = np.array(mission.start.position_m + mission.start.velocity_m_s)
-        self.estimate = np.tile(nominal, (*batch, 1))
+        self._schedule = gain_sequence(params, start, orbit, dt, run.last_step + 1)
+        self.estimate = np.tile(start.state, (*batch, 1))
         self.covariance = np.tile(params.start_covariance(), (*batch, 1, 1)) if track else None
         self._process = params.process_covariance(self._gamma, dt)
 
@@ -210,14 +215,13 @@ class ScheduledFilter:
 class AdaptiveFilter:
     """One filterpy filter per row with R from its own estimate: for study, slow in a batch."""
 
-    def __init__(self, params: FilterParams, mission: Mission, batch: tuple = (),
-                 track: bool = True) -> None:
+    def __init__(self, params: FilterParams, run: Run, orbit: OrbitParams, start: StartParams,
+                 batch: tuple = (), track: bool = True) -> None:
         """Start as `ScheduledFilter` does; the covariance costs nothing here, `track` or not."""
         self._params = params
         self._filters = np.empty(batch, dtype=object)
         for row in np.ndindex(batch):
-            self._filters[row] = _filterpy_filter(params, mission.start, mission.step_s,
-                                                  mission.orbit.mean_motion)
+            self._filters[row] = _filterpy_filter(params, start, run.step_s, orbit.mean_motion)
         self._read()
 
     def advance(self, m: int, accel: Array, measured: Array, received: NDArray) -> Array:

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rvd_dynamics.mission import Mission
+from rvd_dynamics.diagram.run import Legs
 from rvd_groundstation.prediction.predictor import Prediction
 
 Array = NDArray[np.float64]
@@ -33,11 +33,10 @@ class Scored(NamedTuple):
 class Score:
     """Keeps the predictions of one loop time and the sums; called once per step, in order."""
 
-    def __init__(self, mission: Mission, batch: tuple = ()) -> None:
+    def __init__(self, legs: Legs, batch: tuple = ()) -> None:
         """Start with nothing scored; `batch` is the shape of the leading axes."""
         nothing = np.full((*batch, 6), np.nan)
-        loop = mission.forward_steps + mission.back_steps
-        self._made = deque([(nothing, nothing)] * (loop + 1), maxlen=loop + 1)
+        self._made = deque([(nothing, nothing)] * (legs.loop + 1), maxlen=legs.loop + 1)
         self._count = np.zeros(batch, dtype=np.int64)
         self._squares = np.zeros((*batch, 6))
 

@@ -8,8 +8,8 @@ Sharing: how the levels of the pilot and of the automatic controller become one 
 
 from rvd_groundstation.sharing.decision import decide, Decision
 from rvd_groundstation.sharing.eq25 import Eq25
-from rvd_groundstation.sharing.filter import Filter
+from rvd_groundstation.sharing.filter import StickFilter
 
-SHARING = {'eq25': Eq25, 'filter': Filter}
+SHARING = {'eq25': Eq25, 'filter': StickFilter}
 
-__all__ = ['Decision', 'Eq25', 'Filter', 'SHARING', 'decide']
+__all__ = ['Decision', 'Eq25', 'SHARING', 'StickFilter', 'decide']

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rvd_dynamics.commands import codes
-from rvd_dynamics.mission import MODES
+from rvd_groundstation.operators.operation import MODES
 
 
 class Sharing(Protocol):

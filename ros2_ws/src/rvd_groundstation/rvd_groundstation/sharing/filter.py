@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 
 @dataclass(frozen=True)
-class Filter:
+class StickFilter:
     """Take the automatic command in place of a blend; it has no settings."""
 
     @property

@@ -13,9 +13,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rvd_dynamics.diagram.run import Run
 from rvd_dynamics.geometry import arc
+from rvd_dynamics.geometry.cone import Cone
 from rvd_dynamics.geometry.excursion import Excursion
-from rvd_dynamics.mission import Mission
+from rvd_missions.lunar_approach.settings import DockingParams
 
 # Of several reasons the lowest number is given.
 (UNDER_WAY, DOCKED, INVALID, LEFT_CORRIDOR, CLOSING_RATE, OFFSET, LATERAL_RATE,
@@ -51,13 +53,15 @@ class Judge:
     influence each other; a row that has ended (`ended`) keeps its judgement whatever comes.
     """
 
-    def __init__(self, mission: Mission, batch: tuple[int, ...] = ()) -> None:
-        self._mission = mission
+    def __init__(self, run: Run, cone: Cone, docking: DockingParams,
+                 batch: tuple[int, ...] = ()) -> None:
+        self._step_s, self._last_step = run.step_s, run.last_step
+        self._cone, self._docking_limits = cone, docking
         self._batch = batch
         n = int(np.prod(batch, dtype=int))
         self._step = -1
         self._state = np.full((6, n), np.nan)
-        self._excursion = Excursion(n, mission.corridor, mission.step_s)
+        self._excursion = Excursion(n, cone, run.step_s)
         self._live = np.ones(n, dtype=bool)
         self._reason = np.full(n, UNDER_WAY)
         self._end_time = np.full(n, np.nan)
@@ -74,6 +78,13 @@ class Judge:
     def terminal(self) -> NDArray[np.float64]:
         """State (..., 6) at the docking plane; NaN in runs that have not reached it."""
         return self._terminal.T.reshape(*self._batch, 6).copy()
+
+    def follow(self, k: int, truth: Any) -> None:
+        """Take the truth of step k, every step in order."""
+        if k == 0:
+            self.start(truth.state)
+        else:
+            self.advance(k, truth.state, truth.acceleration)
 
     def start(self, state: ArrayLike) -> None:
         """Take the state (..., 6) of step 0; one that is not before the plane is invalid."""
@@ -104,14 +115,14 @@ class Judge:
             self._state[:, ~known] = np.nan         # not inf, which would only make noise
         if not self._live.any():
             return
-        points = arc.control_points(start, self._state, self._mission.step_s)
+        points = arc.control_points(start, self._state, self._step_s)
         docked, flown = self._docking(points)
         self._excursion.follow(step, points, self._live, docked, flown)
-        np.add(self._delta_v, (accel[0] + accel[1] + accel[2]) * (flown*self._mission.step_s),
+        np.add(self._delta_v, (accel[0] + accel[1] + accel[2]) * (flown*self._step_s),
                out=self._delta_v, where=self._live)
         if docked.any():
             self._judge_docking(points, docked, flown)
-        if step >= self._mission.last_step:
+        if step >= self._last_step:
             self._end(self._live.copy(), TIMEOUT, step)
 
     def verdict(self, final: bool = False) -> Verdict:
@@ -120,7 +131,7 @@ class Judge:
         reason = np.where(self._live & final, TIMEOUT, self._reason)
         judged = (reason != UNDER_WAY) & (reason != INVALID)
         reason[judged & ~np.isnan(exit_time)] = LEFT_CORRIDOR       # it came first
-        duration = np.where(self._live, max(self._step, 0)*self._mission.step_s, self._end_time)
+        duration = np.where(self._live, max(self._step, 0)*self._step_s, self._end_time)
         fields = (reason == DOCKED, REASONS[reason], duration, self._x_rate, self._offset,
                   self._lateral_rate, margin, exit_time, exit_position.T, self._delta_v)
         shaped = (field.reshape(self._batch + field.shape[1:]).copy() for field in fields)
@@ -145,15 +156,15 @@ class Judge:
                        flown: arc.Array) -> None:
         """Close the runs that have reached x = 0."""
         rows = np.flatnonzero(docked)
-        limits = self._mission.docking
+        limits = self._docking_limits
         part, s = points[:, :, rows], flown[rows]
         x, y, z = arc.position(part, s)
-        vx, vy, vz = arc.velocity(part, s, self._mission.step_s)
+        vx, vy, vz = arc.velocity(part, s, self._step_s)
         self._terminal[:, rows] = x, y, z, vx, vy, vz
         offset, lateral_rate = np.sqrt(y*y + z*z), np.sqrt(vy*vy + vz*vz)
         reason = np.full(rows.size, DOCKED)
         reason[~(lateral_rate < limits.max_lateral_rate_m_s)] = LATERAL_RATE
-        reason[~(offset < self._mission.corridor.docking_radius_m)] = OFFSET
+        reason[~(offset < self._cone.docking_radius_m)] = OFFSET
         reason[~((vx > 0.0) & (vx < limits.max_closing_rate_m_s))] = CLOSING_RATE
         self._x_rate[rows], self._offset[rows], self._lateral_rate[rows] = (
             vx, offset, lateral_rate)
@@ -162,7 +173,7 @@ class Judge:
     def _end(self, which: NDArray[np.bool_], reason: ArrayLike, steps: ArrayLike) -> None:
         """Close the runs `which` with a reason, `steps` (fractions too) after the start."""
         self._reason[which] = reason
-        self._end_time[which] = np.asarray(steps) * self._mission.step_s
+        self._end_time[which] = np.asarray(steps) * self._step_s
         self._live &= ~which
 
     def _columns(self, rows: ArrayLike, width: int) -> arc.Array:

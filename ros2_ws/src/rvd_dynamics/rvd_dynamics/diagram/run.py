@@ -1,0 +1,100 @@
+"""
+What every mission's scenario says: the run itself, and the delays of the link.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+from rvd_dynamics.constants import NS_PER_S
+from rvd_dynamics.diagram.diagram import GROUPINGS
+from rvd_dynamics.diagram.params import param, require, whole_steps
+
+PACES = ('lockstep', 'realtime')
+DEFAULT_MISSION = 'lunar_approach'
+
+
+@dataclass(frozen=True)
+class Run:
+    """Time grid, random seed and pace of a run."""
+
+    mission: str = param(DEFAULT_MISSION, 'Mission that is flown; `rvd list missions` names them.')
+    step_s: float = param(0.5, 'Base step of the diagram [s].')
+    timeout_s: float = param(200.0, 'Simulated time after which the run ends at the latest [s].')
+    seed: int = param(0, 'Seed of every random stream.')
+    run: int = param(0, 'Number of the run within the seed.')
+    pace: str = param('lockstep', 'Pace of simulated time: lockstep runs as fast as the machine '
+                      'allows, realtime follows the wall clock.')
+    pace_factor: float = param(1.0, 'Simulated seconds per wall second with pace realtime.')
+    processes: str = param('blocks', 'How blocks share processes: blocks, one each; segments, one '
+                           'for each segment; one, all together.')
+    frame_id: str = param('target_lvlh', 'Name of the frame in which states are given.')
+    nodes: tuple = param(('',), 'Names of all nodes of this run, set at bring-up; empty: all '
+                         'blocks of the diagram that the run cannot do without.')
+
+    def __post_init__(self) -> None:
+        require(0.001 <= self.step_s <= 10.0, 'step_s', 'be between 0.001 and 10', self.step_s)
+        require(abs(self.step_s * NS_PER_S - self.step_ns) < 1e-3, 'step_s',
+                'be a whole number of nanoseconds', self.step_s)
+        require(self.step_s <= self.timeout_s <= 86400.0, 'timeout_s',
+                'be between one step and 86400', self.timeout_s)
+        require(0 <= self.seed < 2**64, 'seed', 'not be negative', self.seed)
+        require(0 <= self.run < 2**32, 'run', 'not be negative', self.run)
+        require(0.01 <= self.pace_factor <= 1000.0, 'pace_factor', 'be between 0.01 and 1000',
+                self.pace_factor)
+        for name, allowed in (('pace', PACES), ('processes', GROUPINGS)):
+            require(getattr(self, name) in allowed, name, f'be one of {", ".join(allowed)}',
+                    getattr(self, name))
+
+    @cached_property
+    def step_ns(self) -> int:
+        """Base step [ns]; every instant is a whole number of these."""
+        return round(self.step_s * NS_PER_S)
+
+    @cached_property
+    def last_step(self) -> int:
+        """First step at or after the time limit: no run is longer."""
+        return -(-round(self.timeout_s * NS_PER_S) // self.step_ns)
+
+
+class Legs(NamedTuple):
+    """Constant delays of the link on the grid of a run [steps]."""
+
+    forward: int                        # ground to craft
+    back: int                           # craft to ground
+    step_s: float                       # [s]
+
+    @property
+    def loop(self) -> int:
+        """Delay around the loop [steps]."""
+        return self.forward + self.back
+
+
+@dataclass(frozen=True)
+class LegParams:
+    """Delays of the two legs of the link, after their play-out buffers."""
+
+    forward_delay_s: float = param(5.0, 'Constant delay of the forward link [s].')
+    back_delay_s: float = param(5.0, 'Constant delay of the back link [s].')
+
+    def __post_init__(self) -> None:
+        for name in ('forward_delay_s', 'back_delay_s'):
+            value = getattr(self, name)
+            require(0.0 <= value <= 3600.0, name, 'be between 0 and 3600', value)
+
+    @property
+    def loop_s(self) -> float:
+        """Delay around the loop [s]."""
+        return self.forward_delay_s + self.back_delay_s
+
+    def on(self, run: Run) -> Legs:
+        """
+        Return the delays in steps.
+
+        Raises
+        ------
+        ValueError
+            If one is not a whole number of steps.
+        """
+        return Legs(whole_steps('forward_delay_s', self.forward_delay_s, run.step_s),
+                    whole_steps('back_delay_s', self.back_delay_s, run.step_s), run.step_s)

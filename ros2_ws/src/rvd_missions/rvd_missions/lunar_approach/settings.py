@@ -1,0 +1,60 @@
+"""
+Settings of the approach that belong to no single block, and what is made of them.
+
+Source  Zhang, Li, Tang, J. Astronautics 35(3), 2014, section 3.1.
+"""
+
+from dataclasses import dataclass
+
+from rvd_dynamics.commands.levels import LevelForm, ThrustParams
+from rvd_dynamics.diagram.params import param, require
+from rvd_dynamics.diagram.run import LegParams, Legs, Run
+from rvd_dynamics.motion.orbit import StartParams
+from rvd_groundstation.operators.operation import checked, Operation
+
+SHORTEST_STEP_S, LONGEST_STEP_S = 0.05, 1.0
+
+
+@dataclass(frozen=True)
+class DockingParams:
+    """Limits at the docking plane (section 3.1 of the paper)."""
+
+    max_closing_rate_m_s: float = param(
+        0.3, 'Closing rate at the docking plane must be below this [m/s].')
+    max_lateral_rate_m_s: float = param(
+        0.3, 'Lateral rate at the docking plane must be below this [m/s].')
+
+    def __post_init__(self) -> None:
+        for name in ('max_closing_rate_m_s', 'max_lateral_rate_m_s'):
+            require(getattr(self, name) > 0.0, f'docking.{name}', 'be positive',
+                    getattr(self, name))
+
+
+def legs(leg_params: LegParams, run: Run) -> Legs:
+    """Return the delays of the link in steps; ValueError off the grid."""
+    return leg_params.on(run)
+
+
+def form(thrust: ThrustParams) -> LevelForm:
+    """Return the command form: three levels on each axis."""
+    return LevelForm(thrust)
+
+
+def paced(operation: Operation, run: Run) -> Operation:
+    """
+    Return the operation, or refuse a time grid or a pace that the approach cannot be flown with.
+
+    Raises
+    ------
+    ValueError
+        Names the key and the value.
+    """
+    require(SHORTEST_STEP_S <= run.step_s <= LONGEST_STEP_S, 'step_s',
+            f'be between {SHORTEST_STEP_S:g} and {LONGEST_STEP_S:g}', run.step_s)
+    return checked(operation, run)
+
+
+def usual_steps(start: StartParams, run: Run) -> int:
+    """Return a number of steps that few runs outlast: a tenth more than the nominal approach."""
+    closing = max(start.velocity_m_s[0], 1e-9)
+    return int(1.1 * -start.position_m[0] / closing / run.step_s + 10.0)
