@@ -7,7 +7,7 @@ unknown keys are refused with the nearest known one, shared keys stand under `/*
 """
 
 import difflib
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
 from pathlib import Path
@@ -117,7 +117,11 @@ class Scenario:
 
     def has_shared(self, key: str) -> bool:
         """Say whether the mission has this key under `/**`."""
-        return key in _known(self.mission, SHARED)
+        return self.has_key(SHARED, key)
+
+    def has_key(self, section: str, key: str) -> bool:
+        """Say whether a section of the mission has this key."""
+        return key in _known(self.mission, section)
 
     def wired(self, settings: Any) -> Any:
         """Return settings with what they ask for besides parameters; see `diagram.build`."""
@@ -202,11 +206,12 @@ def _known(mission: Mission, section: str) -> Mapping[str, tuple[str, str]]:
     return known[section]
 
 
-def sections_of(mission: Mission) -> dict[str, list[tuple[str, type]]]:
-    """Return the settings classes of each section, with the prefixes of their keys."""
+def sections_of(mission: Mission, only: Collection[str] = ()) -> dict[str, list[tuple[str, type]]]:
+    """Return the settings classes of all or some sections, with the prefixes of their keys."""
     made_of: dict[str, list[tuple[str, type]]] = {}
     for (section, _), (settings, prefix) in _groups(mission).items():
-        made_of.setdefault(section, []).append((prefix, loaded(settings)))
+        if section in only or not only:
+            made_of.setdefault(section, []).append((prefix, loaded(settings)))
     return made_of
 
 

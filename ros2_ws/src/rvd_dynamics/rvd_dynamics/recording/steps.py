@@ -10,7 +10,8 @@ import struct
 from typing import Callable
 
 HEADER_THEN_STEP = frozenset(f'rvd_interfaces/msg/{name}' for name in (
-    'RelativeState', 'ThrustCommand', 'LinkStatus', 'PredictionScore', 'Verdict', 'RunEvent'))
+    'RelativeState', 'ThrustCommand', 'LinkStatus', 'PredictionScore', 'Verdict', 'RunEvent',
+    'Values'))
 STEP_FIRST = frozenset(('rvd_interfaces/msg/LinkFrame',))
 STAMP_FIRST = frozenset(('sensor_msgs/msg/Joy', 'rosgraph_msgs/msg/Clock'))
 NS_PER_S = 1_000_000_000

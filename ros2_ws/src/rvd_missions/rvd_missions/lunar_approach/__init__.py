@@ -49,4 +49,6 @@ MISSION = Mission(
     judge=f'{HERE}.judge:Judge',
     columns=f'{HERE}.columns:COLUMNS',
     usual_steps=f'{HERE}.settings:usual_steps',
+    modes=('manual', 'shared', 'auto'),
+    markers=True,
 )

@@ -2,20 +2,20 @@
 Parameters of a node from the settings classes: declared once, with meaning and limits.
 """
 
-import sys
 from typing import Any
 
-import yaml
 from rcl_interfaces.msg import ParameterDescriptor
 from rclpy.exceptions import InvalidParameterTypeException
 from rclpy.node import Node
 
-from rvd_dynamics.diagram.params import build, default_of, dotted, leaves
+from rvd_dynamics.diagram.params import build, default_of, leaves
 
 
-def declare(node: Node, settings: type, **wiring: Any) -> Any:
+def declare(node: Node, settings: type, prefix: str = '') -> Any:
     """
     Declare every parameter of `settings` on `node` and return the settings object.
+
+    `prefix` stands before every key, with its dot.
 
     An integer is accepted where a float is meant (`step_s: 1`), which ROS itself refuses.
 
@@ -32,26 +32,8 @@ def declare(node: Node, settings: type, **wiring: Any) -> Any:
         descriptor = ParameterDescriptor(
             description=field.metadata['doc'], dynamic_typing=True, read_only=True)
         try:
-            values[key] = node.declare_parameter(key, default, descriptor).value
+            values[key] = node.declare_parameter(prefix + key, default, descriptor).value
         except InvalidParameterTypeException as error:      # pragma: no cover - dynamic typing
-            raise ValueError(f'{key}: {error}') from None
-    return build(settings, values, **wiring)
+            raise ValueError(f'{prefix}{key}: {error}') from None
+    return build(settings, values, label=prefix)
 
-
-def settings_of(name: str, settings: type) -> Any:
-    """
-    Return the settings of another node, from the parameter files that this process was given.
-
-    All nodes of a run are given the same file, so what two of them must know stands in it once,
-    in the section of the one that it belongs to. Without a file the defaults count, as they do
-    there; what is set with `-p` on that node's own command line cannot be known here.
-    """
-    given: dict[str, Any] = {}
-    for flag, path in zip(sys.argv, sys.argv[1:]):
-        if flag == '--params-file':
-            with open(path, encoding='utf-8') as file:
-                tree = yaml.safe_load(file) or {}
-            for section in (name, f'/{name}'):
-                given.update(dotted((tree.get(section) or {}).get('ros__parameters') or {}))
-    known = {key for key, _ in leaves(settings)}
-    return build(settings, {key: value for key, value in given.items() if key in known})
