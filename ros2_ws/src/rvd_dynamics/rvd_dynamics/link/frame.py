@@ -6,9 +6,9 @@ Payloads of the space link: fixed little-endian structures that end in a CRC-32.
     downlink   version u8, key u16, session u64, sequence u64, generated i64 ns, kind u8,
                state 6 x f64 [m, m/s], accepted sequence u64, refusal u8, CRC u32: 89 bytes
 
-`unpack_*` checks the length, then the checksum, and only then parses; no bytes whatever make
-it raise. CRC-32 finds every burst of up to 32 flipped bits (bits numbered from the least
-significant of each byte). It does not keep out a stranger: that takes keys, and key 0 says
+`unpack_*` checks the length, then the checksum, and only then parses; it does not raise for any
+bytes. CRC-32 detects every burst of up to 32 flipped bits (bits numbered from the least
+significant of each byte). It does not keep a stranger out: that takes keys, and key 0 says
 that there are none.
 """
 
@@ -22,10 +22,10 @@ from rvd_dynamics.commands import codes
 from rvd_dynamics.diagram.params import require
 
 VERSION = 1
-KEY = 0                         # no key yet: a CRC stands where a signature will
+KEY = 0                         # no key yet: a CRC takes the place of a signature
 SESSION = 0                     # no sessions yet
 STATE = 0                       # kind of a downlink: a measured relative state
-LEVELS = range(-3, 4)           # what the thrusters know
+LEVELS = range(-3, 4)           # those of the thrusters
 
 _COMMAND = Struct('<BHQQqB3b')
 _DOWNLINK = Struct('<BHQQqB6dQB')
@@ -35,7 +35,7 @@ DOWNLINK_BYTES = _DOWNLINK.size + _CRC.size
 
 
 class Refusal(IntEnum):
-    """Why a frame was refused; a few of the REASON codes."""
+    """Why a frame was refused; a subset of the REASON codes."""
 
     LENGTH = codes.REASON_LENGTH
     CHECKSUM = codes.REASON_CHECKSUM
@@ -51,7 +51,7 @@ class Command:
     sequence: int               # rising by one per frame, the first is 1
     generated_ns: int           # [ns] instant of the step it was made in
     kind: int                   # one of codes.KIND_*, or unknown
-    levels: tuple               # along x, y, z, wanted in [-3..3]
+    levels: tuple               # along x, y, z; to be in [-3..3]
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,7 +116,7 @@ def pack_downlink(sequence: int, generated_ns: int, state: Sequence[float],
 
 
 def unpack_downlink(payload: bytes) -> Downlink | Refusal:
-    """Return the downlink in `payload`, or LENGTH, CHECKSUM, or RANGE if of an unknown kind."""
+    """Return the downlink in `payload`, or LENGTH, CHECKSUM, or RANGE for an unknown kind."""
     broken = _broken(payload, DOWNLINK_BYTES)
     if broken is not None:
         return broken
@@ -128,7 +128,7 @@ def unpack_downlink(payload: bytes) -> Downlink | Refusal:
 
 
 def levels_in_range(levels: tuple) -> bool:
-    """Say whether every level is one that the thrusters know (NaN and 1.5 are not)."""
+    """Say whether every level is one that the thrusters have (NaN and 1.5 are not)."""
     return all(level in LEVELS for level in levels)
 
 

@@ -1,10 +1,10 @@
 """
 Guidance laws: what the automatic controller wants at the predicted state.
 
-`LAWS` lists them by the name a scenario gives. Each is a frozen dataclass: `mission` first,
-then its settings, `uses_stick` (does it look at the pilot's levels?) and
+`LAWS` lists them by their names in a scenario. Each is a frozen dataclass: `mission` first,
+then its settings, `uses_stick` (whether it looks at the pilot's levels) and
 `levels(prediction, stick_levels) -> levels`. A law that must know what becomes of its levels
-has a field `sharing`, which is given to it like the mission. Add one: one file, one line here.
+has a field `sharing`, which it is given with the mission. To add a law: one file, one line here.
 """
 
 from typing import ClassVar, Protocol
@@ -34,7 +34,7 @@ class Law(Protocol):
         prediction : array_like, shape (..., 6)
             States [m, m/s]; an unknown one (NaN) gives level 0.
         stick_levels : array_like of int, shape (..., 3), or None
-            The pilot's levels, for laws that use them; None when he has nothing to say.
+            The pilot's levels, for laws that use them; None if there is no valid stick.
 
         Returns
         -------

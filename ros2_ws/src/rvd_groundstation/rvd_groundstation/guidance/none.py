@@ -13,7 +13,7 @@ from rvd_dynamics.mission import Mission
 
 @dataclass(frozen=True)
 class NoLaw:
-    """Level 0 always."""
+    """No guidance: level 0 always."""
 
     mission: Mission
     uses_stick: ClassVar[bool] = False
