@@ -4,7 +4,7 @@ Thrust levels -3 .. 3 along x, y, z of the target orbital frame.
 Shapes  levels, accelerations and deflections carry x, y, z on the last axis; leading axes
         are batch axes.
 Source  Zhang, Li, Tang 2014, Table 2 (accelerations). The paper does not say how a force
-        becomes a level: here the nearest one, with thresholds half-way between levels.
+        becomes a level; here it is the nearest one, with thresholds half-way between levels.
 """
 
 from collections.abc import Sequence
@@ -113,7 +113,7 @@ def nearest_level(accel: ArrayLike, thrust: ThrustParams) -> NDArray[np.int8]:
     """
     Return the level whose acceleration is nearest, shape (..., 3); a tie takes the larger.
 
-    What is not finite asks for nothing: level 0 (its invalidity must travel beside it).
+    A value that is not finite gives level 0; that it is invalid must be passed on separately.
     """
     accel = np.asarray(accel, dtype=float)
     size = np.abs(accel)
@@ -129,8 +129,8 @@ def level_of_deflection(deflection: ArrayLike, dead_zone: float = 0.05) -> NDArr
     """
     Return the level of stick deflections of any shape: sign(a) floor(3 |a| + 0.5).
 
-    Up to `dead_zone` a deflection is neutral. A stick that stands at level / 3, as tapes and
-    models put it, gives that level.
+    A deflection up to `dead_zone` is neutral. A stick at level / 3, where tapes and models put
+    it, gives that level.
 
     Raises
     ------
@@ -151,8 +151,8 @@ def stick_levels(axes: Sequence[float], buttons: Sequence[int],
     """
     Return the levels (3,) of one `sensor_msgs/Joy` and whether the message is valid.
 
-    The whole message is invalid, and its levels 0, when any axis is NaN or beyond -1 .. 1,
-    when an axis or button that `stick` names is not there, or when the dead-man button is open.
+    The whole message is invalid, and its levels are 0, if any axis is NaN or beyond -1 .. 1,
+    if an axis or button that `stick` names is missing, or if the dead-man button is open.
     """
     wanted = (stick.axis_x, stick.axis_y, stick.axis_z)
     if len(axes) <= max(wanted) or not all(-1.0 <= a <= 1.0 for a in axes):

@@ -1,9 +1,9 @@
 """
 One direction of the space link, event by event in simulation time.
 
-Plays a `LinkPlan`: each copy of a frame is lost, damaged or on its way for its own time, then
-enters the play-out buffer; each step at most one frame comes out. The channel reads the
-envelope of a frame only and damages the payload only. It owns no clock and draws nothing.
+Carries out a `LinkPlan`: each copy of a frame may be lost or damaged, takes its own transit time
+and enters the play-out buffer; at most one frame comes out per step. The channel reads only the
+envelope of a frame and damages only the payload. It owns no clock and draws no random numbers.
 
 Damage is a burst of at most 32 flipped bits or a truncation. CRC-32 detects every such burst
 when bits are numbered from the least significant one of each byte, as here.
@@ -39,7 +39,7 @@ class LinkCounts:
 
     @property
     def balanced(self) -> bool:
-        """Every copy is somewhere."""
+        """Whether every copy is accounted for."""
         return self.sent + self.duplicated == (
             self.delivered + self.late + self.lost + self.outage + self.duplicate_dropped
             + self.in_flight + self.queued)
@@ -50,7 +50,7 @@ LINK_COUNTS = tuple(f.name for f in fields(LinkCounts))
 
 class Channel:
     """
-    A link in one direction: `advance` once per step, steps rising by one.
+    One direction of the link: call `advance` once per step, with steps rising by one.
 
     Parameters
     ----------
@@ -66,7 +66,7 @@ class Channel:
         self.counts = LinkCounts()
         self._step_ns = step_ns
         self._steps = len(plan.duplicated)
-        self._transit_ns = plan.transit_ns.tolist()     # lists: one item costs a tenth
+        self._transit_ns = plan.transit_ns.tolist()     # lists: reading an item costs a tenth
         self._lost = plan.lost.tolist()
         self._damaged = plan.damaged.tolist()
         self._damage = plan.damage.tolist()
@@ -142,7 +142,7 @@ class Channel:
         self.counts.duplicate_dropped += outcome is Outcome.DUPLICATE
 
     def _release(self, step: int, now_ns: int) -> Frame | None:
-        """Hand on one frame: an expedited one first, and then the frame due now is too late."""
+        """Release one frame; an expedited one goes first and makes the frame due now late."""
         frame = self._buffer.pop(step)
         if self._expedited:
             self.counts.late += frame is not None
@@ -155,14 +155,14 @@ class Channel:
 
 def damaged(payload: bytes, which: float) -> bytes:
     """
-    Return `payload` with one damage: a burst of at most 32 flipped bits, or cut short.
+    Return a damaged `payload`: with a burst of at most 32 flipped bits, or cut short.
 
     Parameters
     ----------
     payload : bytes
-        Not changed if it has no bytes.
+        An empty one is returned as it is.
     which : float
-        In [0, 1); its 53 bits say which damage: 1 bit the kind, 20 the place, 32 the burst.
+        In [0, 1); its 53 bits choose the damage: 1 bit the kind, 20 the place, 32 the burst.
     """
     if not payload:
         return payload

@@ -1,10 +1,10 @@
 """
-How long one frame is on its way: the transit models of a link, and the settings of a link.
+Transit models of the link (how long a frame is on its way), and the settings of a link.
 
 A model is a frozen dataclass with `delays(rng, size, hold_s) -> seconds`, NaN where the
 frame never arrives. Transits scale with the play-out delay `hold_s` = nT of the leg, so one
-setting serves every delay and a direct link (hold_s = 0) is direct; `empirical` alone
-speaks in seconds, because its file does.
+setting serves every delay, and a direct link (hold_s = 0) is direct; only `empirical` is in
+seconds, because its file is.
 
 Source  Zhang, Li, Tang, J. Astronautics 35(3), 2014, section 1.3 leaves the transit open;
         gamma is chosen so that P(transit > nT) = P(Gamma(8, 1) > 16) = 0.010.
@@ -24,7 +24,7 @@ LONGEST_S = 1e6                 # [s] 11 days; transits beyond are refused, ns s
 
 
 class DelayModel(Protocol):
-    """A transit law; settings are its fields."""
+    """A transit model; its fields are its settings."""
 
     def delays(self, rng: np.random.Generator, size: tuple, hold_s: float) -> NDArray[np.float64]:
         """Return transits of shape `size` [s], not negative, NaN where a frame is lost."""
@@ -46,7 +46,7 @@ class Constant:
 
 @dataclass(frozen=True)
 class Uniform:
-    """Transit evenly spread between two bounds."""
+    """Transit uniformly distributed between two bounds."""
 
     low_fraction: float = param(0.72, 'Shortest transit, as a fraction of the play-out delay.')
     high_fraction: float = param(1.0, 'Longest transit, as a fraction of the play-out delay.')
@@ -155,7 +155,7 @@ class LinkParams:
 
 def read_transits(path: str) -> NDArray[np.float64]:
     """
-    Read transits [s], one a line; the first line may be a header, `#` begins a comment.
+    Read transits [s], one per line; the first line may be a header, `#` begins a comment.
 
     Parameters
     ----------
@@ -169,8 +169,8 @@ def read_transits(path: str) -> NDArray[np.float64]:
     Raises
     ------
     ValueError
-        If the file cannot be read, has no transit, or has one that is no number, negative,
-        NaN or longer than 1e6 s; the text names file and line.
+        If the file cannot be read, has no transit, or has one that is not a number, negative,
+        NaN or longer than 1e6 s; the text names the file and the line.
     """
     if not path:
         raise ValueError('empirical.file must name a file of transits, got nothing')
@@ -207,5 +207,5 @@ def _number(text: str) -> float | None:
 
 
 def _require_fraction(name: str, value: float) -> None:
-    """Fractions of the play-out delay may exceed 1 (such frames are late), but not all bounds."""
+    """Refuse what is not 0 to 100; a fraction above 1 is allowed, its frames are late."""
     require(isfinite(value) and 0.0 <= value <= 100.0, name, 'be between 0 and 100', value)

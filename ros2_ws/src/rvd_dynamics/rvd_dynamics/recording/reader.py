@@ -1,8 +1,8 @@
 """
 A recorded run as arrays, read from its bag alone; no ROS needed.
 
-A bag that was cut off (kill -9, full disk, broken copy) is read up to there: `Recording` then
-says so, and how many messages of which topic are not in it.
+A bag that was cut off (kill -9, full disk, broken copy) is read as far as it goes; `Recording`
+then says so, and how many messages of which topic are missing.
 """
 
 from collections.abc import Callable, Iterable
@@ -78,7 +78,7 @@ class LinkHistory:
 
     @property
     def last(self) -> dict[str, float]:
-        """The last counts and delays; empty if the link never spoke."""
+        """The last counts and delays; empty if the link reported none."""
         if not len(self.step):
             return {}
         return ({name: int(column[-1]) for name, column in self.counts.items()}
@@ -87,7 +87,7 @@ class LinkHistory:
 
 @dataclass(frozen=True)
 class Scores:
-    """Predictions held against what came down the link later."""
+    """Predictions compared with what came down the link later."""
 
     step: Ints                                  # (N,)
     t: Floats                                   # (N,)   [s] instant the prediction was made for
@@ -108,7 +108,7 @@ class Sticks:
 
 @dataclass(frozen=True)
 class Event:
-    """One line of the run's story."""
+    """One event of the run."""
 
     step: int
     t: float                                    # [s]
@@ -139,11 +139,11 @@ class Recording:
     back: LinkHistory
     verdict: dict[str, Any]                     # fields of the last Verdict; empty if none
     events: tuple[Event, ...]
-    last_step: int                              # last step the bag knows of, -1 if none
+    last_step: int                              # last step in the bag, -1 if none
     ended: bool                                 # the run came to its end within the bag
     complete: bool                              # the file has its end
-    closed: bool                                # and its recorder closed it
-    trouble: str                                # what the recorder complained of
+    closed: bool                                # the recorder closed it, too
+    trouble: str                                # what went wrong for the recorder first
     counts: dict[str, int]                      # topic -> messages in the bag
     missing: dict[str, int]                     # topic -> steps 0 .. last_step not in the bag
     lost: dict[str, int] = field(default_factory=dict)  # topic -> received, but not stored
@@ -155,7 +155,7 @@ class Recording:
 
 
 def mission_of(scenario: str) -> Mission:
-    """Return the shared settings of a scenario text, passing over what this version lacks."""
+    """Return the shared settings of a scenario text, ignoring keys unknown to this version."""
     try:
         tree = yaml.safe_load(scenario)
         given = dotted(tree['/**']['ros__parameters'])
@@ -298,7 +298,7 @@ class _Raw:
         self.complete = self.complete and ended
 
     def steps(self, step_ns: int) -> dict[str, Ints]:
-        """Return the steps there are of each topic of which this run owes one per step."""
+        """Return the recorded steps of each topic that this run should write once per step."""
         promised = self.notes.get('rvd_missing') or {
             topic: '' for topic in OWED if self.counts.get(topic)}
         readers = {t: step_reader(graph.TOPICS[t], step_ns) for t in OWED if t in promised}

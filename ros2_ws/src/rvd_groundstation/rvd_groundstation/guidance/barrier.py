@@ -4,15 +4,16 @@ Predictive barrier: the level nearest to the pilot's from which the chaser can s
 Frame   target orbital (+x along track, +y radially outward, +z completes the triad).
 State   (x, y, z, vx, vy, vz) [m, m/s] on the last axis; leading axes are batch axes. Inside,
         components come first, and the levels -3..3 lie on an axis before them: (7, 2, n).
-Method  Ours; the paper has nothing like it. y and z each by itself: for each level one sample
-        under it, then a coast, then a brake until rest or docking. Where that ends outside
-        `margin_fraction` of the wall, the level violates by so much. The level of least
-        violation is wanted, among equals the one nearest to the pilot's. Several coasts are
-        tried and the worst counts: the cone closes, so a chaser at rest still meets the wall.
-Sharing the wanted level is the command that shall come out. A blend (eq. 25) would bend it, so
-        the law hands over the automatic level whose blend comes nearest.
-Limits  two axes in the square inside the circle; no bound on the error of the prediction.
-        docs/models/barrier.md has the derivation, what was measured and the physical ceiling.
+Method  Ours; the paper has nothing like it. y and z are treated separately: for each level one
+        step under it, then a coast, then braking until rest or docking. The distance by which
+        that ends outside `margin_fraction` of the wall radius is the level's violation. The
+        level with the least violation is wanted, among equals the one nearest to the pilot's.
+        Several coasts are tried and the worst counts: the cone narrows, so even a chaser at
+        rest meets the wall.
+Sharing the wanted level is the command that should come out. A blend (eq. 25) would change it,
+        so the law returns the automatic level whose blend comes nearest.
+Limits  y and z are kept in the square inside the circle; no bound on the prediction error.
+        docs/models/barrier.md has the derivation, the measurements and the physical ceiling.
 """
 
 from dataclasses import dataclass
@@ -36,13 +37,13 @@ Levels = NDArray[np.int8]
 
 LEVELS = np.arange(-HIGHEST, HIGHEST + 1, dtype=np.int8)
 COUPLINGS = ('closing_rate', 'all', 'none')
-SLOWEST_M_S = 0.05              # [m/s] slower closing is taken as this: the end must come
+SLOWEST_M_S = 0.05              # [m/s] least closing rate assumed, so that the approach ends
 VIOLATION_WEIGHT = 1000.0       # [m/s^2 per m] a tenth of a millimetre outweighs any thrust
-THRUST_WEIGHT = 1e-4            # of equals the level with less thrust
+THRUST_WEIGHT = 1e-4            # among equals, prefer the level with less thrust
 
 
 class Ahead(NamedTuple):
-    """What both lateral axes share: components first."""
+    """The approach ahead, which both lateral axes share; components first."""
 
     x: Array                    # (n,)   station [m]
     closing: Array              # (n,)   rate along x, not below SLOWEST_M_S [m/s]
@@ -52,7 +53,7 @@ class Ahead(NamedTuple):
 
 @dataclass(frozen=True)
 class Barrier:
-    """Least change of the pilot's command that keeps a way to stop inside the corridor."""
+    """Least change of the pilot's command that leaves a way to stop inside the corridor."""
 
     run: Run = wiring()
     cone: Cone = wiring()
@@ -196,7 +197,7 @@ class Barrier:
 
     @cached_property
     def _reluctance(self) -> Array:
-        """What a level costs that violates nothing: `[level, pilot's level]` (7, 7) [m/s^2]."""
+        """Cost of a level that violates nothing: `[level, pilot's level]` (7, 7) [m/s^2]."""
         a = self._lateral
         return np.abs(a[:, None] - a) + THRUST_WEIGHT*np.abs(a)[:, None]
 

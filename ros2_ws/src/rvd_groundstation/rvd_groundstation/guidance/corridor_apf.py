@@ -1,18 +1,18 @@
 """
-Artificial potential field of the corridor wall: a push inwards near the wall and outside it.
+Artificial potential field of the corridor wall: repulsion inwards near the wall and outside it.
 
 Frame   target orbital (+x along track, +y radially outward, +z completes the triad).
 State   (x, y, z, vx, vy, vz) [m, m/s] on the last axis; leading axes are batch axes.
 Source  Zhang, Li, Tang, J. Astronautics 35(3), 2014, eq. 9-11 with the control boundary of
         eq. 24. With e the unit vector towards the nearest wall point q, D the distance to it:
         W = l1/D + l2 v.e,      U = -grad_p W - grad_v W = -l1 e/D^2 - M - l2 e,
-        where M = l2 grad_p(v.e). Taken: D signed and at least `least_distance_m`, so that the
-        push does not turn round outside; M left out; the lateral components alone; acting
+        where M = l2 grad_p(v.e). Here D is signed and at least `least_distance_m`, so that the
+        repulsion does not reverse outside; M is left out; only the lateral components act, and
         wherever rho > R_cb. The paper prints +grad in eq. 10 and for M a scalar minus a
-        vector, meant as l2 [(v.e)e - v]/D, which holds for q frozen; q moves with the
+        vector, meant as l2 [(v.e)e - v]/D, which holds for q frozen; but q moves with the
         chaser, and then M = l2 cos(alpha) v_t / rho, v_t the velocity round the axis.
-Limits  no damping: l2 pushes with one strength whatever the speed. No band is left at the
-        docking plane. docs/models/corridor_apf.md has what each printed variant does.
+Limits  no damping: l2 pushes with the same strength at any speed. No band is left at the
+        docking plane. docs/models/corridor_apf.md shows what each printed variant does.
 """
 
 from dataclasses import dataclass
@@ -41,7 +41,7 @@ CHOICES = {
 
 @dataclass(frozen=True)
 class CorridorApf:
-    """Potential field of the corridor wall within the control boundary (eq. 9-24, corrected)."""
+    """Potential field of the corridor wall, beyond the control boundary (eq. 9-24, corrected)."""
 
     cone: Cone = wiring()
     orbit: OrbitParams = wiring()
@@ -105,7 +105,7 @@ class CorridorApf:
             x, corridor, self.orbit.mean_motion, self.closing_rate_m_s, self.leg_params.loop_s,
             at_arrival=self.boundary_rate == 'at_arrival',
             clamp=self.boundary_sign == 'clamped')
-        return np.abs(found)                    # eq. 24 squares it; clamped it is no change
+        return np.abs(found)                    # eq. 24 squares it; no change if clamped
 
     def _force(self, state: Array, rho: Array) -> Array:
         """Return eq. 11 everywhere, whether in the band or not."""

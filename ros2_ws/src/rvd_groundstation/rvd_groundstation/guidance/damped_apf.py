@@ -1,13 +1,13 @@
 """
-The corridor's potential field with a fixed band, and a brake on motion to and from the wall.
+The corridor's potential field with a fixed band and damping of motion to and from the wall.
 
-Frame, state, force as `corridor_apf`: this is that law with three of its settings at other
+Frame, state and force as in `corridor_apf`: this is that law with three of its settings at other
 defaults, and no mathematics of its own.
 Source  Zhang, Li, Tang 2014, eq. 9: the band l0 in place of the control boundary of eq. 24.
         Ours: damping -l3 (v.n) n in the band on top of eq. 11, n the outward normal of the
-        wall, v the velocity. A wall that only pushes gives back the speed with which it was
-        met, and the chaser then crosses to the other side.
-Limits  the band is deeper than the corridor is wide near docking: there it also centres the
+        wall, v the velocity. A wall that only pushes returns the speed with which it was met,
+        and the chaser then crosses to the other side.
+Limits  near docking the band is deeper than the corridor is wide, so there it also centres the
         chaser, at the price of thrust. docs/models/damped_apf.md has the numbers.
 """
 

@@ -1,18 +1,18 @@
 """
-Stochastic pilot: looks at the displays, decides in pulses, errs, and loses attention.
+Stochastic pilot: looks at the displays, acts in pulses, makes errors and loses attention.
 
 Frame   target orbital (+x along track, +y radially outward, +z completes the triad).
 State   (x, y, z, vx, vy, vz) [m, m/s] on the last axis; leading axes are batch axes, one
         pilot each. Inside, components come first: (6, n), axes x, y, z in this order.
-Chance  comes as whole-run draws (`rvd_dynamics.diagram.streams.PilotDraws`): ten normals N0..N9 and
-        six uniforms U0..U5 per step, used or not, so that a pilot in another condition draws
-        the same numbers.
+Chance  comes as whole-run draws (`rvd_dynamics.diagram.streams.PilotDraws`): ten normals
+        N0..N9 and six uniforms U0..U5 per step, used or not, so that a pilot in another
+        condition draws the same numbers.
 Source  the paper (Zhang, Li, Tang 2014) flew ten students and states no model. Every number
         here is ours: fitted to its condition 1 (manual, success .76) and to nothing else.
-        docs/models/pilot.md tells how, and what agreement does not prove.
+        docs/models/pilot.md says how, and what agreement does not prove.
 
-Instants are counted in steps: next decisions are real numbers of steps, compared with whole
-ones by a margin far above their rounding, so that 4 s are 80 steps of 0.05 s exactly.
+Instants are counted in steps: the next decision is due at a real number of steps, compared with
+whole steps by a margin far above rounding, so that 4 s are exactly 80 steps of 0.05 s.
 """
 
 from dataclasses import dataclass, fields, replace
@@ -28,7 +28,7 @@ from rvd_dynamics.diagram.streams import PilotDraws
 
 Array = NDArray[np.float64]
 MARGIN = 1e-6                           # [steps] far above rounding, far below a step
-TINIEST = np.finfo(float).tiny          # a uniform of 0 would make an endless lapse
+TINIEST = np.finfo(float).tiny          # a uniform of 0 would give an endless lapse
 
 
 @dataclass(frozen=True)
@@ -85,7 +85,7 @@ class PilotParams:
                     getattr(self, high))
 
     def operator_of(self, run: int) -> int:
-        """Return who flies a run: the key of his `skill_normal`."""
+        """Return the operator who flies a run, which is the key of `skill_normal`."""
         return run // self.runs_per_operator
 
 
@@ -107,7 +107,7 @@ class Pilot:
     def __init__(self, params: PilotParams, step_s: float, cone: Cone, thrust: ThrustParams,
                  draws: PilotDraws, skill_normal: ArrayLike, batch: tuple = ()) -> None:
         """
-        Sit down with neutral stick.
+        Start with a neutral stick.
 
         Parameters
         ----------
@@ -119,9 +119,9 @@ class Pilot:
         thrust : ThrustParams
             What the levels do.
         draws : PilotDraws
-            Of the run, with leading axes `batch`.
+            Draws of the runs, with leading axes `batch`.
         skill_normal : array_like, shape `batch`
-            Standard normal of the person's skill.
+            Standard normal draw of each person's skill.
         batch : tuple
             Shape of the leading axes.
         """
@@ -144,7 +144,7 @@ class Pilot:
         self._pulse = np.zeros((3, n))                                       # level
         self._lapse_end = np.zeros(n)                                        # [steps]
         late = round(params.reaction_s * self._per_s)
-        self._displays = np.full((late + 1, 6, n), np.nan)      # ring: what was shown when
+        self._displays = np.full((late + 1, 6, n), np.nan)      # ring buffer of what was shown
         self._seen = np.zeros(n, dtype=bool)
         steps = np.rint(np.array([params.pulse_min_s, params.pulse_max_s]) * self._per_s)
         self._shortest, self._longest = max(steps[0], 1.0), max(steps[1], 1.0)
@@ -153,7 +153,7 @@ class Pilot:
     def advance(self, step: int, estimate: ArrayLike, predicted: ArrayLike,
                 valid: ArrayLike) -> NDArray[np.int8]:
         """
-        Return where the stick is in this step.
+        Return the levels at which the stick stands in this step.
 
         Parameters
         ----------
@@ -164,7 +164,7 @@ class Pilot:
         predicted : array_like, shape (..., 6)
             What the display of the prediction shows: the state when a command will act.
         valid : array_like of bool, shape (...)
-            Rows in which both are known; in the others the last displays stand.
+            Rows in which both are known; in the others the last displays remain.
 
         Returns
         -------
@@ -184,7 +184,7 @@ class Pilot:
 
     def _look(self, step: int, estimate: ArrayLike, predicted: ArrayLike,
               valid: ArrayLike) -> Array:
-        """Return (6, n) what the pilot makes of the displays of one reaction time ago."""
+        """Return what the pilot perceives, (6, n): the displays of one reaction time ago."""
         valid = np.asarray(valid, dtype=bool).reshape(-1)
         d = np.ascontiguousarray(np.reshape(estimate, (-1, 6)).T)
         p = np.ascontiguousarray(np.reshape(predicted, (-1, 6)).T)
@@ -193,7 +193,7 @@ class Pilot:
         now = np.where(valid, d + self._trust*(p - d), last)
         ring[step % len(ring)] = now
         first = valid & ~self._seen
-        if first.any():                                 # before that, the first sample
+        if first.any():                                 # until then, the first sample
             ring[:, :, first] = now[:, first]
             self._seen = self._seen | valid
         return ring[(step + 1) % len(ring)]
@@ -221,8 +221,8 @@ class Pilot:
         """
         Bring y and z, each by itself, towards the axis in pulses.
 
-        Few axes decide in a step: arrays are (m,), one entry for each that does, and `at` is
-        its place when the y of all pilots is followed by the z of all.
+        Few axes decide in a step, so arrays are (m,), one entry for each axis that does; `at` is
+        its index when the y of all pilots is followed by the z of all.
         """
         at = np.flatnonzero(ready)
         if at.size == 0:
@@ -240,7 +240,7 @@ class Pilot:
         slips = _at(uniforms[2:4], at) < p.slip_fraction*self._gain[who]            # U2 y, U3 z
         side = np.where(slips, -np.sign(error), np.sign(error))
         acts = size > p.rate_error_m_s
-        lateral = at + ready.shape[1]                           # place when x comes before y
+        lateral = at + ready.shape[1]                           # index when x comes before y
         self._start_pulse(step, lateral[acts], (side*level)[acts], steps[acts])
         pause = p.decision_interval_s*self._per_s * np.exp(p.decision_spread*normals[9, who])
         again = np.where(acts, pause + steps, p.idle_interval_fraction*pause)
@@ -268,5 +268,5 @@ class Pilot:
 
 
 def _at(rows: Array, at: NDArray[np.int64]) -> Array:
-    """Return the elements (m,) of `rows` (2, n) at their places in a row."""
+    """Return the elements (m,) of `rows` (2, n) at flat indices."""
     return rows.reshape(-1)[at]

@@ -5,12 +5,12 @@ CSV     header `t_s,axis_0,axis_1,...,button_0,...`, one row per sample; lines t
         `#` are comments. Axes are rounded to float32, in which a Joy carries them.
 bag     a rosbag2 folder with MCAP files, or one .mcap file, with `/joy` (sensor_msgs/Joy);
         the stamps of its headers count, not the log times.
-Time    0 is the first stamp. A sample holds until the next; the last stamp is the end of the
-        tape. Later the tape says nothing: no axes, no buttons, which no stick map takes as
-        valid. A pilot who has stopped holding a stick is not a pilot who holds it neutral.
+Time    0 is the first stamp. A sample holds until the next one; the last stamp is the end of
+        the tape. After that the tape gives no axes and no buttons, which is invalid under every
+        stick map: a pilot who has let go of the stick is not one who holds it neutral.
 
-A tape that is not what it should be is refused as a whole, with file and line. Only a bag that
-was cut off while it was recorded is played as far as it goes.
+A malformed tape is refused as a whole, with file and line. Only a bag that was cut off while it
+was recorded is played, as far as it goes.
 """
 
 from array import array
@@ -36,7 +36,7 @@ class Tape:
 
     @property
     def end_ns(self) -> int:
-        """Last instant at which the tape says something [ns]."""
+        """Last instant of the tape [ns]."""
         return self.stamps_ns[-1]
 
     def at(self, t_ns: int) -> tuple[tuple[float, ...], tuple[int, ...]]:
@@ -64,7 +64,7 @@ def read_tape(path: str | Path) -> Tape:
     ------
     ValueError
         If there is no such tape or it cannot be played; the text is one line that names the
-        file and, where there is one, the line or message.
+        file and, if possible, the line or message.
     """
     path = Path(path)
     try:
@@ -78,7 +78,7 @@ def read_tape(path: str | Path) -> Tape:
 
 
 class _Samples:
-    """Collects samples and refuses the first that does not fit."""
+    """Collects samples and refuses the first one that does not fit."""
 
     def __init__(self) -> None:
         self._stamps: list[int] = []

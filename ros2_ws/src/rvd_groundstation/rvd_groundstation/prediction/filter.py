@@ -1,12 +1,12 @@
 """
-Kalman filter of the relative motion: all six states measured, noise in proportion to them.
+Kalman filter of the relative motion: all six states are measured, with proportional noise.
 
 Frame   target orbital (+x along track, +y radially outward, +z completes the triad).
 State   (x, y, z, vx, vy, vz) [m, m/s] on the last axis; leading axes are batch axes.
 Source  the paper (Zhang, Li, Tang 2014, section 2.2) asks for a filter and names none. Ours:
         measurement = state (1 + 0.01 N), so R = diag(0.01 max(|x_i|, floor_i))^2 + sigma_i^2;
-        process noise Q = Gamma (3e-4 m/s^2)^2 Gamma' + floor; the floors keep R regular where
-        a component is zero and belong to the filter, the sensor has none.
+        process noise Q = Gamma (3e-4 m/s^2)^2 Gamma' + floor. The floors keep R regular where
+        a component is zero; they belong to the filter, and the sensor has none.
 
 `FILTERS` lists two. `scheduled` runs filterpy's filter once on the straight nominal approach
 and keeps its gains, one 6 x 6 sequence for every run and row. `adaptive` keeps one filterpy
@@ -26,12 +26,12 @@ from rvd_dynamics.diagram.params import param, require
 from rvd_dynamics.diagram.run import Run
 
 Array = NDArray[np.float64]
-FLOOR_STEP_S = 0.5                      # [s] step for which `process_variance_floor` is meant
+FLOOR_STEP_S = 0.5                      # [s] step to which `process_variance_floor` refers
 
 
 @dataclass(frozen=True)
 class FilterParams:
-    """Noise that the filter reckons with."""
+    """Noise assumed by the filter."""
 
     process_noise_m_s2: float = param(3e-4, 'Unknown acceleration, constant in a step [m/s^2].')
     process_variance_floor: float = param(
@@ -80,7 +80,7 @@ class FilterParams:
 
 
 class Schedule(NamedTuple):
-    """What a filter on the nominal approach found, by telemetry step."""
+    """Gains and covariances of a filter on the nominal approach, by telemetry step."""
 
     gains: Array                        # (steps, 6, 6)
     covariances: Array                  # (steps, 6, 6) posterior, no sample lost
@@ -92,8 +92,8 @@ def gain_sequence(params: FilterParams, start: StartParams, orbit: OrbitParams, 
     """
     Run filterpy's Kalman filter once on the straight nominal approach.
 
-    The approach is the nominal start moving on at its nominal velocity; sample 0 is measured
-    at the start itself. Covariances do not depend on what is measured, so neither do gains.
+    The approach continues from the nominal start at the nominal velocity; sample 0 is taken at
+    the start itself. Covariances do not depend on the measured values, so neither do the gains.
 
     Parameters
     ----------
@@ -104,12 +104,12 @@ def gain_sequence(params: FilterParams, start: StartParams, orbit: OrbitParams, 
     step_s : float
         Time between two samples [s].
     steps : int
-        Samples; the matrices of a longer schedule begin with those of a shorter one.
+        Number of samples; a longer schedule begins with the matrices of a shorter one.
 
     Returns
     -------
     Schedule
-        Read-only and shared between equal calls.
+        Read-only, and shared between equal calls.
     """
     return _schedule(params, start, step_s, orbit.mean_motion, steps)
 
@@ -152,7 +152,7 @@ class TelemetryFilter(Protocol):
     covariance: Array | None            # (..., 6, 6) of it, or None when not tracked
 
     def advance(self, m: int, accel: Array, measured: Array, received: NDArray) -> Array:
-        """Take the estimate to sample m; see `ScheduledFilter.advance`."""
+        """Advance the estimate to sample m; see `ScheduledFilter.advance`."""
 
 
 class ScheduledFilter:
@@ -163,8 +163,8 @@ class ScheduledFilter:
         """
         Start at the nominal state.
 
-        `batch` is the shape of the leading axes. `track` follows the covariance of each row
-        through the samples that it lost; the estimate does not need it.
+        `batch` is the shape of the leading axes. With `track` the covariance of each row is
+        followed through the samples that it lost; the estimate does not need it.
         """
         n, dt = orbit.mean_motion, run.step_s
         self._phi, self._gamma = cw.transition(n, dt), cw.input_matrix(n, dt)
@@ -175,7 +175,7 @@ class ScheduledFilter:
 
     def advance(self, m: int, accel: Array, measured: Array, received: NDArray) -> Array:
         """
-        Take the estimate to sample `m` and return it.
+        Advance the estimate to sample `m` and return it.
 
         Parameters
         ----------
@@ -202,7 +202,7 @@ class ScheduledFilter:
         return self.estimate
 
     def _next_covariance(self, m: int, received: NDArray) -> Array:
-        """Return the covariance by Joseph's form, right for a gain that is not the optimal one."""
+        """Return the covariance by Joseph's form, which is correct for any gain."""
         p = self.covariance
         if m > 0:
             p = self._phi @ p @ self._phi.T + self._process
@@ -225,7 +225,7 @@ class AdaptiveFilter:
         self._read()
 
     def advance(self, m: int, accel: Array, measured: Array, received: NDArray) -> Array:
-        """Take the estimate to sample `m`; arguments as `ScheduledFilter.advance`."""
+        """Advance the estimate to sample `m`; arguments as `ScheduledFilter.advance`."""
         for row in np.ndindex(self._filters.shape):
             kf = self._filters[row]
             if m > 0:

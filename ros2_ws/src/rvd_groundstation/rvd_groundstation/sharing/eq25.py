@@ -1,11 +1,11 @@
 """
 Weighted blending of two level commands, rounded away from zero, in exact arithmetic.
 
-Inputs  levels -3..3 of the pilot and of the automatic controller, each axis by itself.
+Inputs  levels -3..3 of the pilot and of the automatic controller; each axis is blended alone.
 Source  Zhang, Li, Tang, J. Astronautics 35(3), 2014, eq. 25: U = <eta U_man + (1 - eta) U_auto>,
         <m> = sign(m) ceil|m|, eta = 0.7.
         In floating point 12 of the 4949 cells of a 0.01 grid of eta come out wrong, and level 4
-        appears at eta = 0.2; so eta = p/q is taken as the decimal it was written as and
+        appears at eta = 0.2. So eta = p/q is taken as the decimal that was written, and
         e = p man + (q - p) auto is rounded in whole numbers: sign(e) ((|e| + q - 1) // q).
 """
 
@@ -37,7 +37,7 @@ class Eq25:
 
     @property
     def pilot_weight(self) -> float:
-        """Weight of the pilot, to be shown."""
+        """Weight of the pilot, for display."""
         return float(self.eta)
 
     def share(self, pilot: ArrayLike, auto: ArrayLike) -> NDArray[np.int8]:
@@ -57,7 +57,7 @@ class Eq25:
 
     @cached_property
     def _table(self) -> NDArray[np.int8]:
-        # 49 cells in Python's integers: exact for any number of decimals, and one look-up a step.
+        # 49 cells in Python integers: exact for any number of decimals, and one look-up per step.
         eta = exact_fraction('eta', self.eta)
         p, q = eta.numerator, eta.denominator
         up = q - 1 if self.rounding == 'away' else 0
@@ -66,19 +66,19 @@ class Eq25:
 
 
 def blend(e: int, q: int, up: int) -> int:
-    """Return e / q rounded: with `up` = q - 1 away from zero, with 0 towards it."""
+    """Return e / q rounded: away from zero with `up` = q - 1, towards it with 0."""
     size = (abs(e) + up) // q
     return size if e > 0 else -size
 
 
 def exact_fraction(name: str, value: float | str) -> Fraction:
     """
-    Return the fraction that a decimal means as written: 0.7 is 7/10, not the nearest binary.
+    Return the fraction of a decimal as written: 0.7 is 7/10, not the nearest binary number.
 
     Raises
     ------
     ValueError
-        If `value` is not a number from 0 to 1; the text carries `name` and the value.
+        If `value` is not a number from 0 to 1; the text gives `name` and the value.
     """
     try:
         decimal = Decimal(str(value))
