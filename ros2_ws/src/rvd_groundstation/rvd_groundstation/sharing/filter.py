@@ -5,14 +5,15 @@ For laws that have seen the stick (`uses_stick`) and return the nearest command 
 A law that has not seen it leaves the pilot without a say.
 """
 
-from dataclasses import dataclass
 from math import nan
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rvd_dynamics.diagram.params import settings
 
-@dataclass(frozen=True)
+
+@settings
 class Filter:
     """Take the automatic command in place of a blend; it has no settings."""
 

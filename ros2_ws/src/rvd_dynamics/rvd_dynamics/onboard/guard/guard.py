@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from rvd_dynamics.commands.codes import KIND_ABORT, KIND_THRUST, REASON_ABORT, REASON_EMPTY, REASON_NONE
 from rvd_dynamics.link.frame import Command, LEVELS, levels_in_range, Refusal, unpack_command
 from rvd_dynamics.mission import Mission
-from rvd_dynamics.diagram.params import param, require
+from rvd_dynamics.diagram.params import param, settings
 
 NEUTRAL = (0, 0, 0)
 BACK_AWAY = (LEVELS[0], 0, 0)
@@ -25,15 +25,13 @@ OBEYED = (KIND_THRUST, KIND_ABORT)      # the others are reserved: refused as ou
 AGELESS = (KIND_ABORT,)
 
 
-@dataclass(frozen=True)
+@settings
 class GuardParams:
     """Settings of the guard."""
 
-    abort_burn_s: float = param(16.0, 'How long an ABORT thrusts along -x at level 3 [s].')
-
-    def __post_init__(self) -> None:
-        require(0.0 <= self.abort_burn_s <= 3600.0, 'abort_burn_s', 'be between 0 and 3600',
-                self.abort_burn_s)
+    abort_burn_s: float = param(
+        16.0, 'Duration of the burn along -x at level 3 that follows an ABORT [s].',
+        low=0.0, high=3600.0)
 
 
 @dataclass(frozen=True, slots=True)
