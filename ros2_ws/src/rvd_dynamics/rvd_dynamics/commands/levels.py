@@ -15,7 +15,7 @@ from struct import Struct
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rvd_dynamics.diagram.params import param, require
+from rvd_dynamics.diagram.params import param, require, settings
 
 HIGHEST = 3                             # levels run from -HIGHEST to HIGHEST
 LEVELS = range(-HIGHEST, HIGHEST + 1)
@@ -24,45 +24,37 @@ NEUTRAL = np.zeros(3, dtype=np.int8)
 NEUTRAL.flags.writeable = False
 
 
-@dataclass(frozen=True)
+@settings
 class ThrustParams:
     """Thrust acceleration of the levels 1, 2, 3 (Table 2)."""
 
-    x_m_s2: tuple = param((0.01, 0.02, 0.03), 'Levels 1, 2, 3 along x [m/s^2].')
-    lateral_m_s2: tuple = param((0.005, 0.01, 0.02), 'Levels 1, 2, 3 along y and z [m/s^2].')
-
-    def __post_init__(self) -> None:
-        for name in ('x_m_s2', 'lateral_m_s2'):
-            a = getattr(self, name)
-            require(len(a) == 3 and 0.0 < a[0] < a[1] < a[2] < float('inf'), f'thrust.{name}',
-                    'be three positive rising numbers', list(a))
+    x_m_s2: tuple = param(
+        (0.01, 0.02, 0.03), 'Accelerations of the levels 1, 2, 3 along x [m/s^2].',
+        above=0.0, length=3, rising=True)
+    lateral_m_s2: tuple = param(
+        (0.005, 0.01, 0.02), 'Accelerations of the levels 1, 2, 3 along y and z [m/s^2].',
+        above=0.0, length=3, rising=True)
 
 
-@dataclass(frozen=True)
+@settings
 class StickParams:
     """How a `sensor_msgs/Joy` becomes levels; the defaults are those of the `joy` ecosystem."""
 
-    axis_x: int = param(1, 'Index of the axis that commands x.')
-    axis_y: int = param(0, 'Index of the axis that commands y.')
-    axis_z: int = param(4, 'Index of the axis that commands z.')
-    sign_x: int = param(1, '+1 or -1: sense of the x axis.')
-    sign_y: int = param(1, '+1 or -1: sense of the y axis.')
-    sign_z: int = param(1, '+1 or -1: sense of the z axis.')
-    dead_zone: float = param(0.05, 'Deflection that still counts as neutral, of 1.')
-    deadman_button: int = param(4, 'Index of the button that must be held; -1: none.')
+    axis_x: int = param(1, 'Index of the axis that commands x.', low=0, high=63)
+    axis_y: int = param(0, 'Index of the axis that commands y.', low=0, high=63)
+    axis_z: int = param(4, 'Index of the axis that commands z.', low=0, high=63)
+    sign_x: int = param(1, 'Sense of the x axis, where -1 reverses it.', choices=(1, -1))
+    sign_y: int = param(1, 'Sense of the y axis, where -1 reverses it.', choices=(1, -1))
+    sign_z: int = param(1, 'Sense of the z axis, where -1 reverses it.', choices=(1, -1))
+    dead_zone: float = param(
+        0.05, 'Deflection up to which an axis counts as neutral, as a fraction of full '
+        'deflection.', low=0.0, below=1.0)
+    deadman_button: int = param(
+        4, 'Index of the button that must be held, where -1 means none.', low=-1, high=63)
 
     def __post_init__(self) -> None:
-        for name in ('axis_x', 'axis_y', 'axis_z'):
-            require(0 <= getattr(self, name) < 64, f'stick.{name}', 'be 0 to 63',
-                    getattr(self, name))
-        require(len({self.axis_x, self.axis_y, self.axis_z}) == 3, 'stick.axis_x, axis_y, axis_z',
+        require(len({self.axis_x, self.axis_y, self.axis_z}) == 3, 'axis_x, axis_y, axis_z',
                 'differ', [self.axis_x, self.axis_y, self.axis_z])
-        for name in ('sign_x', 'sign_y', 'sign_z'):
-            require(getattr(self, name) in (-1, 1), f'stick.{name}', 'be 1 or -1',
-                    getattr(self, name))
-        require(0.0 <= self.dead_zone < 1.0, 'stick.dead_zone', 'be 0 up to 1', self.dead_zone)
-        require(-1 <= self.deadman_button < 64, 'stick.deadman_button', 'be -1 to 63',
-                self.deadman_button)
 
 
 @lru_cache(maxsize=16)

@@ -8,32 +8,27 @@ Source  Zhang, Li, Tang 2014, eq. 12-24, corrected: see docs/models/corridor.md.
         printed forms are available by keyword, for study only.
 """
 
-from dataclasses import dataclass
 from functools import cached_property
 from math import cos, inf, pi, radians, sin, tan
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rvd_dynamics.diagram.params import param, require
+from rvd_dynamics.diagram.params import param, require, settings
 
 Array = NDArray[np.float64]
 
 SLOWEST_RATE = 0.01                     # [m/s] slower, the drift of eq. 18 is not an approach
 
 
-@dataclass(frozen=True)
+@settings
 class Cone:
     """Approach cone: its half angle, and its radius at the docking plane."""
 
-    half_angle_deg: float = param(3.0, 'Half angle of the corridor cone [deg].')
-    docking_radius_m: float = param(0.3, 'Radius of the corridor at the docking plane x = 0 [m].')
-
-    def __post_init__(self) -> None:
-        require(0.0 < self.half_angle_deg < 90.0, 'corridor.half_angle_deg',
-                'be between 0 and 90', self.half_angle_deg)
-        require(self.docking_radius_m > 0.0, 'corridor.docking_radius_m', 'be positive',
-                self.docking_radius_m)
+    half_angle_deg: float = param(
+        3.0, 'Half angle of the corridor cone [deg].', above=0.0, below=90.0)
+    docking_radius_m: float = param(
+        0.3, 'Radius of the corridor at the docking plane x = 0 [m].', above=0.0)
 
     @cached_property
     def alpha(self) -> float:

@@ -15,15 +15,15 @@ Instants are counted in steps: the next decision is due at a real number of step
 whole steps by a margin far above rounding, so that 4 s are exactly 80 steps of 0.05 s.
 """
 
-from dataclasses import dataclass, fields, replace
-from math import exp, inf, prod, sqrt
+from dataclasses import replace
+from math import exp, prod, sqrt
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rvd_dynamics.commands.levels import ThrustParams
 from rvd_dynamics.geometry.cone import Cone, radius
-from rvd_dynamics.diagram.params import param, require
+from rvd_dynamics.diagram.params import param, require, settings
 from rvd_dynamics.diagram.streams import PilotDraws
 
 Array = NDArray[np.float64]
@@ -31,54 +31,90 @@ MARGIN = 1e-6                           # [steps] far above rounding, far below 
 TINIEST = np.finfo(float).tiny          # a uniform of 0 would give an endless lapse
 
 
-@dataclass(frozen=True)
+@settings
 class PilotParams:
     """Settings of the pilot model; the defaults are pilot A of `PILOTS`."""
 
-    skill_gain: float = param(1.635, 'Errors of the median pilot, as a multiple.')
-    skill_spread: float = param(0.35, 'Deviation of the logarithm of that multiple.')
-    runs_per_operator: int = param(1, 'So many runs in a row are flown by one person.')
+    skill_gain: float = param(
+        1.635, 'Skill factor of the median pilot, which multiplies errors, slips and lapses.',
+        above=0.0)
+    skill_spread: float = param(
+        0.35, 'Standard deviation of the logarithm of the skill factor from person to person.',
+        low=0.0)
+    runs_per_operator: int = param(
+        1, 'Number of consecutive runs that are flown by one person.', low=1)
     display: bool = param(True, 'Whether the pilot sees the predicted state.')
-    display_trust: float = param(0.9, 'Share of the loop that a perfect pilot sees ahead.')
-    no_display_trust: float = param(0.602, 'Share that he imagines without the display.')
-    reaction_s: float = param(1.0, 'Displays are seen so late [s].')
-    position_bias_m: float = param(0.010, 'Deviation of the perceived offset at the target [m].')
-    position_bias_per_m: float = param(0.004, 'What each metre of range adds to it.')
-    rate_bias_m_s: float = param(0.006, 'Deviation of the perceived rates [m/s].')
-    bias_time_s: float = param(15.0, 'Correlation time of these errors [s].')
-    rate_threshold_m_s: float = param(0.003, 'Slower lateral motion is not seen [m/s].')
-    dead_zone_fraction: float = param(0.1, 'Offset that is let be, of the corridor radius.')
-    lead_fraction: float = param(0.35, 'Offsets shall vanish in this share of the time to go,')
-    lead_min_s: float = param(6.0, 'but not faster [s]')
-    lead_max_s: float = param(15.0, 'nor slower [s].')
-    max_rate_m_s: float = param(0.06, 'Fastest lateral rate he asks for [m/s].')
-    rate_error_m_s: float = param(0.016, 'Lateral rate error that makes him act [m/s].')
-    decision_interval_s: float = param(4.0, 'Median time between decisions of an axis [s].')
-    decision_spread: float = param(0.35, 'Deviation of its logarithm.')
-    idle_interval_fraction: float = param(0.6, 'He looks again sooner when he did not act.')
-    pulse_gain: float = param(0.9, 'Median velocity change that he makes, of the one he wants.')
-    pulse_spread: float = param(0.25, 'Deviation of its logarithm.')
-    level_2_m_s: float = param(0.015, 'Velocity changes above take level 2 [m/s],')
-    level_3_m_s: float = param(0.03, 'above this level 3 [m/s].')
-    pulse_min_s: float = param(1.5, 'Shortest lateral pulse [s].')
-    pulse_max_s: float = param(5.0, 'Longest lateral pulse [s].')
-    slip_fraction: float = param(0.01, 'Pulses to the wrong side, of all.')
-    closing_rate_m_s: float = param(0.25, 'Closing rate that he keeps [m/s].')
-    closing_error_m_s: float = param(0.03, 'Closing rate error that makes him act [m/s].')
-    closing_pulse_s: float = param(1.0, 'Length of his pulses along x, at level 1 [s].')
-    closing_interval_s: float = param(8.0, 'Time between decisions along x [s].')
-    lapse_interval_s: float = param(120.0, 'Mean time between lapses of attention [s].')
-    lapse_s: float = param(8.0, 'Mean length of a lapse [s].')
+    display_trust: float = param(
+        0.9, 'How far a pilot of skill factor 1 looks ahead with the display, as a fraction of '
+        'the way from the estimate to the prediction.', low=0.0)
+    no_display_trust: float = param(
+        0.602, 'How far a pilot of skill factor 1 looks ahead without the display, as a fraction '
+        'of the way from the estimate to the prediction.', low=0.0)
+    reaction_s: float = param(
+        1.0, 'Delay with which the pilot perceives what the displays show [s].', low=0.0)
+    position_bias_m: float = param(
+        0.010, 'Standard deviation of the error in the perceived offset at zero range [m].',
+        low=0.0)
+    position_bias_per_m: float = param(
+        0.004, 'Growth of the standard deviation of the error in the perceived offset per metre '
+        'of range [m/m].', low=0.0)
+    rate_bias_m_s: float = param(
+        0.006, 'Standard deviation of the errors in the perceived rates [m/s].', low=0.0)
+    bias_time_s: float = param(
+        15.0, 'Correlation time of the perception errors [s].', above=0.0)
+    rate_threshold_m_s: float = param(
+        0.003, 'Lateral rate below which the pilot perceives no motion [m/s].', low=0.0)
+    dead_zone_fraction: float = param(
+        0.1, 'Lateral offset that the pilot leaves uncorrected, as a fraction of the corridor '
+        'radius.', low=0.0)
+    lead_fraction: float = param(
+        0.35, 'Time in which the pilot means to remove an offset, as a fraction of the time to '
+        'go.', low=0.0)
+    lead_min_s: float = param(
+        6.0, 'Shortest time in which the pilot means to remove an offset [s].', above=0.0)
+    lead_max_s: float = param(
+        15.0, 'Longest time in which the pilot means to remove an offset [s].', above=0.0)
+    max_rate_m_s: float = param(
+        0.06, 'Highest lateral rate that the pilot aims for [m/s].', low=0.0)
+    rate_error_m_s: float = param(
+        0.016, 'Lateral rate error above which the pilot acts [m/s].', low=0.0)
+    decision_interval_s: float = param(
+        4.0, 'Median time between decisions on one lateral axis [s].', low=0.0)
+    decision_spread: float = param(
+        0.35, 'Standard deviation of the logarithm of the time between decisions on one lateral '
+        'axis.', low=0.0)
+    idle_interval_fraction: float = param(
+        0.6, 'Time to the next decision when the pilot did not act, as a fraction of the usual '
+        'time between decisions.', low=0.0)
+    pulse_gain: float = param(
+        0.9, 'Median velocity change of a lateral pulse, as a fraction of the one needed.',
+        low=0.0)
+    pulse_spread: float = param(
+        0.25, 'Standard deviation of the logarithm of the velocity change of a lateral pulse.',
+        low=0.0)
+    level_2_m_s: float = param(
+        0.015, 'Velocity change above which a lateral pulse uses level 2 [m/s].', low=0.0)
+    level_3_m_s: float = param(
+        0.03, 'Velocity change above which a lateral pulse uses level 3 [m/s].', low=0.0)
+    pulse_min_s: float = param(1.5, 'Shortest lateral pulse [s].', low=0.0)
+    pulse_max_s: float = param(5.0, 'Longest lateral pulse [s].', low=0.0)
+    slip_fraction: float = param(
+        0.01, 'Fraction of the lateral pulses that a pilot of skill factor 1 makes in the wrong '
+        'direction.', low=0.0)
+    closing_rate_m_s: float = param(
+        0.25, 'Closing rate that the pilot keeps [m/s].', above=0.0)
+    closing_error_m_s: float = param(
+        0.03, 'Closing rate error above which the pilot acts [m/s].', low=0.0)
+    closing_pulse_s: float = param(
+        1.0, 'Duration of a pulse along x, which is at level 1 [s].', low=0.0)
+    closing_interval_s: float = param(
+        8.0, 'Time between decisions along x [s].', low=0.0)
+    lapse_interval_s: float = param(
+        120.0, 'Mean time between lapses of attention of a pilot of skill factor 1 [s].',
+        above=0.0)
+    lapse_s: float = param(8.0, 'Mean duration of a lapse of attention [s].', low=0.0)
 
     def __post_init__(self) -> None:
-        positive = ('skill_gain', 'runs_per_operator', 'bias_time_s', 'lead_min_s',
-                    'closing_rate_m_s', 'lapse_interval_s')
-        for f in fields(self):
-            value = getattr(self, f.name)
-            if f.name in positive:
-                require(0.0 < value < inf, f.name, 'be positive', value)
-            else:
-                require(0.0 <= value < inf, f.name, 'be a number, not negative', value)
         for low, high in (('lead_min_s', 'lead_max_s'), ('level_2_m_s', 'level_3_m_s'),
                           ('pulse_min_s', 'pulse_max_s')):
             require(getattr(self, low) <= getattr(self, high), high, f'not be below {low}',

@@ -13,7 +13,6 @@ and keeps its gains, one 6 x 6 sequence for every run and row. `adaptive` keeps 
 filter per row, with R from its own estimate.
 """
 
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import NamedTuple, Protocol
 
@@ -22,43 +21,44 @@ from numpy.typing import NDArray
 
 from rvd_dynamics.motion import cw
 from rvd_dynamics.motion.orbit import OrbitParams, StartParams
-from rvd_dynamics.diagram.params import param, require
+from rvd_dynamics.diagram.params import param, settings
 from rvd_dynamics.diagram.run import Run
 
 Array = NDArray[np.float64]
 FLOOR_STEP_S = 0.5                      # [s] step to which `process_variance_floor` refers
 
 
-@dataclass(frozen=True)
+@settings
 class FilterParams:
-    """Noise assumed by the filter."""
+    """Process and measurement noise assumed by the filter."""
 
-    process_noise_m_s2: float = param(3e-4, 'Unknown acceleration, constant in a step [m/s^2].')
+    process_noise_m_s2: float = param(
+        3e-4, 'Standard deviation of the unknown acceleration, which is constant within a step '
+        '[m/s^2].', low=0.0)
     process_variance_floor: float = param(
-        1e-10, 'Added to the variance of each element per 0.5 s [m^2, m^2/s^2].')
-    measurement_fraction: float = param(0.01, 'Measurement noise, of the measured value.')
+        1e-10, 'Variance added to each position and velocity component per 0.5 s '
+        '[m^2, m^2/s^2].', low=0.0)
+    measurement_fraction: float = param(
+        0.01, 'Standard deviation of the measurement noise of a component, as a fraction of its '
+        'value.', above=0.0)
     position_floor_m: tuple = param(
-        (0.25, 0.3, 0.3), 'Values below which the fraction takes these instead [m].')
-    velocity_floor_m_s: tuple = param((0.25, 0.02, 0.02), 'Likewise for the rates [m/s].')
-    position_sigma_m: float = param(1e-4, 'Measurement noise that is always there [m].')
-    velocity_sigma_m_s: float = param(1e-5, 'Likewise for the rates [m/s].')
+        (0.25, 0.3, 0.3), 'Distance along x, y and z below which the measurement noise no longer '
+        'shrinks with it [m].', low=0.0, length=3)
+    velocity_floor_m_s: tuple = param(
+        (0.25, 0.02, 0.02), 'Speed along x, y and z below which the measurement noise no longer '
+        'shrinks with it [m/s].', low=0.0, length=3)
+    position_sigma_m: float = param(
+        1e-4, 'Standard deviation of the part of the position noise that does not depend on the '
+        'position [m].', above=0.0)
+    velocity_sigma_m_s: float = param(
+        1e-5, 'Standard deviation of the part of the velocity noise that does not depend on the '
+        'velocity [m/s].', above=0.0)
     start_position_sigma_m: tuple = param(
-        (0.3, 0.5, 0.5), 'Uncertainty of the nominal start position [m].')
+        (0.3, 0.5, 0.5), 'Standard deviations of the start position along x, y and z [m].',
+        low=0.0, length=3)
     start_velocity_sigma_m_s: tuple = param(
-        (0.01, 0.02, 0.02), 'Uncertainty of the nominal start rates [m/s].')
-
-    def __post_init__(self) -> None:
-        for name in ('process_noise_m_s2', 'process_variance_floor'):
-            value = getattr(self, name)
-            require(0.0 <= value < float('inf'), name, 'be a number, not negative', value)
-        for name in ('measurement_fraction', 'position_sigma_m', 'velocity_sigma_m_s'):
-            value = getattr(self, name)
-            require(0.0 < value < float('inf'), name, 'be positive', value)
-        for name in ('position_floor_m', 'velocity_floor_m_s', 'start_position_sigma_m',
-                     'start_velocity_sigma_m_s'):
-            value = getattr(self, name)
-            require(len(value) == 3 and all(0.0 <= v < float('inf') for v in value), name,
-                    'be three numbers, none negative', list(value))
+        (0.01, 0.02, 0.02), 'Standard deviations of the start velocity along x, y and z [m/s].',
+        low=0.0, length=3)
 
     def measurement_variance(self, state: Array) -> Array:
         """Return the diagonal of R (..., 6) at `state` (..., 6)."""

@@ -14,7 +14,6 @@ Source  Zhang, Li, Tang, J. Astronautics 35(3), 2014, eq. 7 and 8:
 """
 
 from collections import deque
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -22,7 +21,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rvd_dynamics.motion import cw
 from rvd_dynamics.motion.orbit import OrbitParams, StartParams
-from rvd_dynamics.diagram.params import param, require
+from rvd_dynamics.diagram.params import param, settings
 from rvd_dynamics.diagram.run import Legs, Run
 from rvd_dynamics.commands.form import CommandForm
 from rvd_groundstation.prediction.filter import FilterParams, FILTERS
@@ -30,15 +29,13 @@ from rvd_groundstation.prediction.filter import FilterParams, FILTERS
 Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True)
+@settings
 class PredictorParams:
     """Settings of the predictor; the YAML keys are these names."""
 
-    filter: str = param('scheduled', f'Filter of the telemetry: {", ".join(FILTERS)}.')
-    kalman: FilterParams = param(FilterParams, 'Noise that the filter reckons with.')
-
-    def __post_init__(self) -> None:
-        require(self.filter in FILTERS, 'filter', f'be one of {", ".join(FILTERS)}', self.filter)
+    filter: str = param('scheduled', 'Filter of the telemetry.', choices=FILTERS)
+    kalman: FilterParams = param(
+        FilterParams, 'Process and measurement noise assumed by the filter.')
 
 
 class Prediction(NamedTuple):

@@ -9,31 +9,28 @@ Source  Zhang, Li, Tang, J. Astronautics 35(3), 2014, eq. 25: U = <eta U_man + (
         e = p man + (q - p) auto is rounded in whole numbers: sign(e) ((|e| + q - 1) // q).
 """
 
-from dataclasses import dataclass
-from decimal import Decimal, InvalidOperation
+from decimal import Decimal
 from fractions import Fraction
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rvd_dynamics.diagram.params import param, require
+from rvd_dynamics.diagram.params import param, settings
 
 ROUNDINGS = ('away', 'truncate')
 LEVELS = range(-3, 4)
 
 
-@dataclass(frozen=True)
+@settings
 class Eq25:
     """Blend with the weight `eta` of the pilot (eq. 25)."""
 
-    eta: float = param(0.7, 'Weight of the pilot, 0 to 1, taken as the decimal that is written.')
-    rounding: str = param('away', 'away: from zero, eq. 25; truncate: towards zero, for study.')
-
-    def __post_init__(self) -> None:
-        exact_fraction('eta', self.eta)
-        require(self.rounding in ROUNDINGS, 'rounding', f'be one of {", ".join(ROUNDINGS)}',
-                self.rounding)
+    eta: float = param(
+        0.7, 'Weight of the pilot, taken as the exact decimal as written.', low=0.0, high=1.0)
+    rounding: str = param(
+        'away', 'Rounding of the blend: away from zero as in eq. 25, or, for study, truncate '
+        'towards zero.', choices=ROUNDINGS)
 
     @property
     def pilot_weight(self) -> float:
@@ -57,8 +54,8 @@ class Eq25:
 
     @cached_property
     def _table(self) -> NDArray[np.int8]:
-        # 49 cells in Python integers: exact for any number of decimals, and one look-up per step.
-        eta = exact_fraction('eta', self.eta)
+        # 49 cells in Python's integers: exact for any number of decimals, and one look-up a step.
+        eta = exact_fraction(self.eta)
         p, q = eta.numerator, eta.denominator
         up = q - 1 if self.rounding == 'away' else 0
         cells = [[blend(p*man + (q - p)*auto, q, up) for auto in LEVELS] for man in LEVELS]
@@ -71,19 +68,6 @@ def blend(e: int, q: int, up: int) -> int:
     return size if e > 0 else -size
 
 
-def exact_fraction(name: str, value: float | str) -> Fraction:
-    """
-    Return the fraction of a decimal as written: 0.7 is 7/10, not the nearest binary number.
-
-    Raises
-    ------
-    ValueError
-        If `value` is not a number from 0 to 1; the text gives `name` and the value.
-    """
-    try:
-        decimal = Decimal(str(value))
-        usable = decimal.is_finite() and 0 <= decimal <= 1
-    except InvalidOperation:
-        usable = False
-    require(usable, name, 'be a number from 0 to 1', value)
-    return Fraction(decimal)
+def exact_fraction(value: float | Decimal) -> Fraction:
+    """Return the fraction that a decimal means as written: 0.7 is 7/10, not the nearest binary."""
+    return Fraction(Decimal(str(value)))

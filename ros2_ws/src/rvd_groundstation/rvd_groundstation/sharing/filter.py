@@ -5,14 +5,14 @@ For laws that see the stick (`uses_stick`) and return the nearest command that t
 A law that does not see it leaves the pilot without a say.
 """
 
-from dataclasses import dataclass
 from math import nan
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rvd_dynamics.diagram.params import settings
 
-@dataclass(frozen=True)
+@settings
 class StickFilter:
     """Take the automatic command in place of a blend; it has no settings."""
 
