@@ -10,10 +10,11 @@ import time
 
 import numpy as np
 
-from rvd_dynamics.judge import Judge
-from rvd_dynamics.diagram.ros.conversions import header_at, state_from_msg, vector
+from rvd_dynamics.diagram.judge import judgement
+from rvd_dynamics.diagram.ros.conversions import header_at, state_from_msg, verdict_to_msg
 from rvd_dynamics.diagram.ros.node import WatchNode
 from rvd_dynamics.diagram.ros.run import run
+from rvd_dynamics.judge import Judge
 from rvd_interfaces.msg import RelativeState, Verdict
 
 PERIOD_S = 0.1                  # [s] wall time between two verdicts under way
@@ -51,14 +52,9 @@ class MissionMonitor(WatchNode):
             self.finish()
 
     def _publish(self, final: bool) -> None:
-        v = self._judge.verdict(final)
-        self._out.publish(Verdict(
-            header=header_at(self.step * self.mission.step_ns, self.mission.frame_id),
-            step=self.step, final=final, success=bool(v.success), reason=str(v.reason),
-            duration=float(v.duration), x_rate=float(v.x_rate), offset=float(v.offset),
-            lateral_rate=float(v.lateral_rate),
-            min_corridor_margin=float(v.min_corridor_margin), exit_time=float(v.exit_time),
-            exit_position=vector(v.exit_position), delta_v=float(v.delta_v)))
+        judged = judgement(self._judge, self._judge.verdict(final))
+        header = header_at(self.step * self.mission.step_ns, self.mission.frame_id)
+        self._out.publish(verdict_to_msg(header, self.step, final, judged))
 
     def on_end(self) -> None:
         """Judge the final truth first, which may still be on its way."""

@@ -25,6 +25,7 @@ from rvd_dynamics.diagram.ros.run import run
 from rvd_dynamics.diagram.ros.step_node import StepNode
 from rvd_dynamics.world.spacecraft.thrusters import execute
 from rvd_dynamics.diagram.streams import execution_normals, start_normals
+from rvd_dynamics.judge import ended
 from rvd_dynamics.world.settings import DynamicsParams
 from rvd_interfaces.msg import RelativeState, ThrustCommand
 
@@ -72,8 +73,7 @@ class SpacecraftDynamics(StepNode):
             acceleration = execute(levels_of(command), self.mission.thrust,
                                    self._noise[step - 1], self._params.execution_noise_fraction)
             self._state = self._model.advance(self._state, acceleration)
-        final = bool(not np.isfinite(self._state).all() or self._state[0] >= 0.0
-                     or step >= self.mission.last_step)
+        final = bool(ended(step, self._state, self.mission.last_step))
         if final:
             self.final_step = step
             self._end.publish(UInt64(data=step))
