@@ -33,7 +33,7 @@ from typing import Any
 
 import joblib
 
-from rvd_campaign.campaign import results
+from rvd_campaign.campaign import lunar_columns, results
 from rvd_campaign.campaign.progress import Progress
 from rvd_campaign.campaign.results import Stretch, Table
 from rvd_campaign.campaign.spec import Campaign, CampaignError, from_dict
@@ -83,7 +83,7 @@ def code_hash() -> str:
         for path in sorted(p for p in folder.rglob('*') if p.suffix in SOURCES):
             if not {'nodes', 'ros', 'recording'} & set(path.relative_to(folder).parts):
                 made.update(f'{path.relative_to(folder)}\0'.encode() + path.read_bytes())
-    for module in (rvd_campaign.loop, rvd_campaign.scenario, results):
+    for module in (rvd_campaign.loop, rvd_campaign.scenario, results, lunar_columns):
         made.update(Path(module.__file__).read_bytes())
     return made.hexdigest()
 
@@ -322,7 +322,8 @@ def fly_together(task: Task, code: tuple, parent: int) -> list[tuple[Stretch, Ta
     made = []
     for scenario, stretch in task:
         begun = time.thread_time()
-        table = results.rows(fly(scenario.loop(), stretch.runs, draws=draws))
+        flight = fly(scenario.loop(), stretch.runs, draws=draws)
+        table = results.rows(flight, lunar_columns.LAYOUT)
         made.append((stretch, table, each + time.thread_time() - begun))
     return made
 

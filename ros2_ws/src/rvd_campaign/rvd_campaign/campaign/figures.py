@@ -97,8 +97,8 @@ def landing(results: Results) -> Drawn:
                               linestyle=DASHED))
         axes.set(xlim=(-1.1*radius, 1.1*radius), ylim=(-1.1*radius, 1.1*radius), aspect='equal',
                  xlabel='y, radial [m]', ylabel='z, cross track [m]')
-        upper = results.rows[condition.name]['upper_half']
-        axes.set_title(f'{condition.name}\n{100*upper:.0f} % at y > 0' if upper is not None
+        upper = table['y_m'][table['success']] > 0.0
+        axes.set_title(f'{condition.name}\n{100*upper.mean():.0f} % at y > 0' if upper.size
                        else condition.name)
     for axes in figure.axes[len(shown):]:
         axes.remove()

@@ -14,13 +14,14 @@ from rvd_campaign.campaign import results, stats
 from rvd_campaign.campaign.engine import open_folder, RESULTS
 from rvd_campaign.campaign.figures import FIGURES, NEEDED, Results
 from rvd_campaign.campaign.spec import CampaignError
-from rvd_campaign.campaign.summary import MEANS, SUMMARY
+from rvd_campaign.campaign.summary import SUMMARY
 from rvd_campaign.report.figures import drawn
 from rvd_campaign.report.figures import STYLE as LOOK
 from rvd_campaign.report.page import STYLE
-from rvd_campaign.flight.verdict import WORDS
 
 LONG = 60                               # rows of a table that a page shows
+BY = {'pilot': 'pilot alone', 'auto': 'automatic alone', 'blend': 'both, blended',
+      'nobody': 'nobody', 'changed': 'command differs from the stick'}
 DASH, DOT = '\u2013', ' \u00b7 '
 MORE_STYLE = '''
 td.mark{color:var(--vermillion)}tr.reference td{color:var(--muted);font-style:italic}
@@ -40,7 +41,7 @@ def write_campaign_report(folder: Path) -> Path:
     Raises
     ------
     CampaignError
-        If the folder has no results yet.
+        If the folder has no results yet, or those of another version.
     """
     target = folder / 'report.html'
     results.write_whole(target, page(read(folder)))
@@ -52,6 +53,9 @@ def read(folder: Path) -> Results:
     campaign, _ = open_folder(folder)
     try:
         summary = json.loads((folder / SUMMARY).read_text(encoding='utf-8'))
+        if not {'measures', 'reasons'} <= set(summary):
+            raise CampaignError(f'{folder / SUMMARY} is of another version of this software, '
+                                'which alone can report on it')
         return Results(campaign, summary, dict(results.tables(folder / RESULTS, NEEDED)))
     except OSError:
         raise CampaignError(f'{folder} has no results yet: finish it with ./rvd campaign '
@@ -105,27 +109,37 @@ def _table(head: Iterable[str], rows: Iterable[tuple[str, Iterable[str]]]) -> st
 
 
 def _conditions(summary: dict[str, Any], reference: dict[str, dict]) -> str:
+    measures = _tabled(summary)
+
     def row(name: str, r: dict[str, Any], mark: str) -> list[str]:
         low, high = stats.wilson(r['successes'], r['runs'])
-        errors = r.get('standard_errors', {})
+        means, errors = r.get('means', {}), r.get('standard_errors', {})
         return [escape(name) + mark, f'{r["runs"]:,}', f'{r["successes"] / r["runs"]:.4f}',
                 f'{low:.4f} {DASH} {high:.4f}',
-                *(_mean(r.get('means', {}).get(key), errors.get(key)) for key in MEANS)]
+                *(_mean(means.get(key), errors.get(key), m['digits'])
+                  for key, m in measures.items())]
 
     rows = [('', row(c['name'], c, ' \u2020' if c['name'] in summary['fitted'] else ''))
             for c in summary['conditions']]
     rows += [('reference', row(label, r, '')) for label, r in reference.items()]
-    head = ('condition', 'runs', 'success', '95 % (Wilson)',
-            *(f'{words}<br>{unit}' for words, unit in
-              zip(MEANS.values(), ('m/s', 'm', 'm/s'))))
-    return _table(head, rows) + ('<p>Means at the docking plane are over successes, \u00b1 one '
-                                 'standard error.</p>')
+    head = ('condition', 'runs', 'success', '95 % (Wilson)', *_heads(measures.values()))
+    return _table(head, rows) + '<p>Means are over successes, \u00b1 one standard error.</p>'
 
 
-def _mean(value: float | None, error: float | None) -> str:
+def _tabled(summary: dict[str, Any]) -> dict[str, dict[str, Any]]:
+    """Return the measures that the result table holds."""
+    return {name: m for name, m in summary['measures'].items()
+            if name in summary['conditions'][0]['means']}
+
+
+def _heads(measures: Iterable[dict[str, Any]]) -> list[str]:
+    return [f'{escape(m["words"])}<br>{escape(m["unit"])}' for m in measures]
+
+
+def _mean(value: float | None, error: float | None, digits: int) -> str:
     if value is None:
         return DASH
-    return f'{value:.4f}' + (f' \u00b1 {error:.4f}' if error is not None else '')
+    return f'{value:.{digits}f}' + (f' \u00b1 {error:.{digits}f}' if error is not None else '')
 
 
 def _fitted(summary: dict[str, Any]) -> str:
@@ -178,25 +192,27 @@ def _replicates(summary: dict[str, Any]) -> str:
 
 
 def _reasons(summary: dict[str, Any]) -> str:
+    words = summary['reasons']
     found = sorted({reason for c in summary['conditions'] for reason in c['reasons']},
-                   key=list(WORDS).index)
-    rows = [('', [escape(c['name']), *(f'{c["reasons"].get(r, 0):,}' for r in found)])
+                   key=list(words).index)
+    always = [{name: m for name, m in _tabled(summary).items() if name in c['means_of_all_runs']}
+              for c in summary['conditions']]
+    measures = {name: m for name, m in always[0].items() if all(name in a for a in always)}
+    rows = [('', [escape(c['name']), *(f'{c["reasons"].get(r, 0):,}' for r in found),
+                  *(f'{c["means_of_all_runs"][name]:.{m["digits"]}f}'
+                    for name, m in measures.items())])
             for c in summary['conditions']]
-    return _table(('condition', *(WORDS[r].removeprefix('failed: ') for r in found)), rows)
+    return _table(('condition', *(escape(words[r]) for r in found), *_heads(measures.values())),
+                  rows) + ('<p>Measures are means over all runs.</p>' if measures else '')
 
 
 def _decided(summary: dict[str, Any]) -> str:
-    by = {'pilot': 'pilot alone', 'auto': 'automatic alone', 'blend': 'both, blended',
-          'nobody': 'nobody'}
-    rows = []
-    for c in summary['conditions']:
-        share, effort = c['share_of_steps'], c['means_of_all_runs']
-        rows.append(('', [escape(c['name']), *(f'{100*share[b]:.1f} %' for b in by),
-                          f'{100*share["changed"]:.1f} %',
-                          f'{effort["delta_v_m_s"]:.3f} m/s',
-                          f'{effort["min_corridor_margin_m"]:.3f} m']))
-    return _table(('share of steps', *by.values(), 'command differs from the stick', 'delta-v',
-                   'least margin'), rows)
+    shares = [c.get('share_of_steps', {}) for c in summary['conditions']]
+    if not shares[0]:
+        return ''
+    rows = [('', [escape(c['name']), *(f'{100*share[by]:.1f} %' for by in shares[0])])
+            for c, share in zip(summary['conditions'], shares)]
+    return _table(('share of steps', *(BY.get(by, by) for by in shares[0])), rows)
 
 
 def _figure(name: str, made: Results) -> str:

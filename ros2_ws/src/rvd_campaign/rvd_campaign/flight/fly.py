@@ -147,15 +147,16 @@ class Flight:
             print(f'rvd fly: {problem}', file=sys.stderr)
             print(f'rvd fly: logs are in {self._run_dir / "logs"}', file=sys.stderr)
             return EXIT_CANNOT
-        judged, links = self._outcome()
-        content = verdict.as_dict(judged, links, self._mission, self._scenario.name, interrupted)
+        last, links = self._outcome()
+        judged = verdict.outcome(last, interrupted)
+        content = verdict.as_dict(judged, links, self._mission, self._scenario.name)
         verdict.write(self._run_dir / 'verdict.json', content)
-        print(verdict.in_words(content, self._mission), flush=True)
+        print(verdict.in_words(judged), flush=True)
         if interrupted:
             return EXIT_INTERRUPTED
         from rvd_campaign.report.run import write_report
         print(write_report(self._run_dir), flush=True)
-        return EXIT_DONE if content['success'] else EXIT_FAILED
+        return EXIT_DONE if judged.success else EXIT_FAILED
 
     def _follow(self) -> str | None:
         """Return None when the run has ended, or the sentence that says why it could not."""

@@ -17,6 +17,7 @@ from rclpy.qos import QoSProfile
 from rclpy.serialization import deserialize_message
 
 from rvd_dynamics.commands.codes import BY_AUTO, BY_BLEND, BY_GUARD, BY_NOBODY, BY_PILOT
+from rvd_dynamics.diagram.judge import from_message
 from rvd_dynamics.mission import Mission
 from rvd_dynamics.diagram.ros import graph, qos
 
@@ -93,18 +94,19 @@ class FlightWatch:
             data, message_type(graph.TOPICS[topic]))
 
     def line(self) -> str:
-        """Return one line of progress: range, rate, margin, delay, who decides."""
+        """Return one line of progress: range, rate, limited measures, who decides, delay."""
         truth, command = self.newest('/truth/relative_state'), self.newest('/ground/command')
-        back, verdict = self.newest('/link/back/status'), self.verdict
+        back = self.newest('/link/back/status')
         if truth is None:
             return ''
         p, v = truth.position, truth.velocity
-        margin = verdict.min_corridor_margin if verdict is not None else float('nan')
+        judged = from_message(self.verdict).measures if self.verdict is not None else ()
+        measures = ''.join(f'  {m.words} {m.said}' for m in judged if m.known and m.limited)
         delay = back.delay_p50 if back is not None else float('nan')
         loop = self._mission.forward_delay_s + self._mission.back_delay_s
         return (f't {truth.step * self._mission.step_s:6.1f} s  '
                 f'range {(p.x * p.x + p.y * p.y + p.z * p.z) ** 0.5:6.2f} m  '
-                f'rate {v.x:6.3f} m/s  margin {margin:5.2f} m  {_decides(command)}  '
+                f'rate {v.x:6.3f} m/s{measures}  {_decides(command)}  '
                 f'transit {delay:4.2f} s, loop {loop:g} s  y {p.y:5.2f} z {p.z:5.2f} m'
                 + ('  PAUSED' if self.paused else ''))
 

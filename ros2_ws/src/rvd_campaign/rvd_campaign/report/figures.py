@@ -114,8 +114,13 @@ def _every(values: NDArray) -> int:
     return len(values) // MOST_DOTS + 1
 
 
+def _judged(run: Recording, name: str) -> float:
+    """Return a measure of the run; NaN where it is unknown."""
+    return np.nan if run.verdict is None else run.verdict.value(name)
+
+
 def _mark_exit(axes: Axes, run: Recording, lateral: int) -> None:
-    where = run.verdict.get('exit_position', (np.nan,) * 3)
+    where = [_judged(run, f'exit_{axis}_m') for axis in 'xyz']
     if np.isfinite(where[0]):
         axes.plot(where[0], where[lateral], 'X', color=VERMILLION, markersize=9,
                   markeredgewidth=0, label='left the corridor')
@@ -130,7 +135,7 @@ def _end_view(axes: Axes, run: Recording) -> None:
                           linewidth=1.8))
     axes.plot(near[:, 1], near[:, 2], color=INK, linewidth=1.8)
     if len(near):
-        inside = bool(run.verdict.get('success'))
+        inside = run.verdict is not None and run.verdict.success
         axes.plot(near[-1, 1], near[-1, 2], 'o' if inside else 'X', markersize=8, zorder=5,
                   color=GREEN if inside else VERMILLION, markeredgewidth=0)
     reach = 1.25 * max(limit, float(np.abs(near[:, 1:3]).max(initial=0.0)))
@@ -159,8 +164,8 @@ def margin(run: Recording) -> Figure:
     top.axhspan(low * 1.1 - 0.12, 0.0, color=VERMILLION, alpha=0.10, linewidth=0)
     top.set(ylabel='distance to wall [m]', ylim=(low * 1.1 - 0.12, None))
     top.set_title('Below 0: outside the corridor')
-    if np.isfinite(run.verdict.get('exit_time', np.nan)):
-        top.axvline(run.verdict['exit_time'], color=VERMILLION, linestyle=':', linewidth=1.2)
+    if np.isfinite(_judged(run, 'exit_time_s')):
+        top.axvline(_judged(run, 'exit_time_s'), color=VERMILLION, linestyle=':', linewidth=1.2)
     limit = run.mission.docking.max_closing_rate_m_s
     bottom.plot(t, state[:, 3], color=INK, linewidth=1.5)
     bottom.axhline(limit, color=VERMILLION, linewidth=1.2)

@@ -19,6 +19,7 @@ from mcap.records import Channel, Message, Schema
 from mcap_ros2.decoder import DecoderFactory
 import numpy as np
 
+from rvd_dynamics.diagram.judge import for_page, from_message
 from rvd_dynamics.recording.reader import mission_of
 from rvd_dynamics.link.frame import Downlink, unpack_downlink
 from rvd_dynamics.recording.mcap_file import records
@@ -169,10 +170,7 @@ class Replay:
 
     def _on_verdict(self, m: Any) -> None:
         if m.final:
-            self._verdict = {
-                'success': m.success, 'reason': m.reason, 'duration': m.duration,
-                'closing': m.x_rate, 'offset': m.offset, 'lateral': m.lateral_rate,
-                'margin': m.min_corridor_margin, 'exit': m.exit_time, 'delta_v': m.delta_v}
+            self._verdict = for_page(from_message(m))
 
 
 def _ns(message: Any) -> int:

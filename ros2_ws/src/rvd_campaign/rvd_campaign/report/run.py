@@ -14,11 +14,11 @@ from typing import Iterable
 from rvd_dynamics.recording.reader import LINK_COUNTS, LinkHistory, read, Recording
 from rvd_campaign.report.figures import svg
 from rvd_campaign.report.page import CAPTIONS, STYLE
-from rvd_campaign.flight.verdict import WORDS
+from rvd_dynamics.diagram.judge import Judged
 from rvd_dynamics.commands import codes
 from rvd_dynamics.recording.bag_writer import repair
 
-YES, NO, DOT = '\u2713', '\u2717', ' \u00b7 '
+YES, NO, DASH, DOT = '\u2713', '\u2717', '\u2013', ' \u00b7 '
 DECIDED = {codes.BY_NOBODY: 'nobody (no valid input)', codes.BY_PILOT: 'pilot alone',
            codes.BY_AUTO: 'automatic alone', codes.BY_BLEND: 'pilot and automatic',
            codes.BY_GUARD: 'onboard guard'}
@@ -79,17 +79,15 @@ def page(run: Recording) -> str:
 
 def headline(run: Recording) -> str:
     """Return the verdict in words."""
-    if not run.verdict.get('final'):
-        return 'no verdict: the recording ends before the run does'
-    words = WORDS.get(run.verdict['reason'], run.verdict['reason'])
-    return f'{words} after {run.verdict["duration"]:.1f} s'
+    return run.verdict.headline if run.judged else (
+        'no verdict: the recording ends before the run does')
 
 
 def _header(run: Recording, words: str) -> str:
     mission = run.mission
-    mark, kind = (YES, 'good') if run.verdict.get('success') else (NO, 'bad')
-    if not run.verdict.get('final'):
-        mark, kind = '?', 'open'
+    mark, kind = '?', 'open'
+    if run.judged:
+        mark, kind = (YES, 'good') if run.verdict.success else (NO, 'bad')
     name = re.match(r'# Scenario (\S+)', run.scenario_text)
     facts = [
         f'scenario <b>{escape(name[1] if name else "unknown")}</b>',
@@ -135,42 +133,24 @@ def _table(head: Iterable[str], rows: Iterable[Iterable[str]], kind: str = '') -
     return f'<table class="{kind}"><thead><tr>{cells}</tr></thead><tbody>{body}</tbody></table>'
 
 
-def _number(value: float, digits: int, unit: str) -> str:
-    return f'{value:.{digits}f} {unit}' if math.isfinite(value) else 'not reached'
-
-
 def _verdict_table(run: Recording) -> str:
-    v, mission = run.verdict, run.mission
-    if not v:
+    if run.verdict is None:
         return '<p>The bag holds no verdict.</p>'
-    rate, turn = mission.docking.max_closing_rate_m_s, mission.docking.max_lateral_rate_m_s
-    radius = mission.corridor.docking_radius_m
+    shown = [m for m in run.verdict.measures if m.known or m.limited]
+    rows = [(escape(m.words), escape(m.said), escape(m.limits), _meter(m),
+             (YES if m.ok else NO) if m.limited and m.known else '') for m in shown]
+    end = 'end' if run.judged else 'the last judgement in the bag'
+    return (_table(('measure', 'value', 'limit', 'used', ''), rows, 'wide')
+            + f'<p>{run.verdict.duration:.2f} s from start to {end}.</p>')
 
-    def row(name: str, value: float, digits: int, unit: str, limit: float, inside: bool) -> tuple:
-        known = math.isfinite(value)
-        share = min(max(value / limit, 0.0), 1.0) if known and limit > 0 else 0.0
-        meter = (f'<span class="meter"><span style="width:{100 * share:.0f}%" '
-                 f'class="{"good" if inside else "bad"}"></span></span>' if limit > 0 else '')
-        return (name, _number(value, digits, unit),
-                f'below {limit:g} {unit}' if limit > 0 else 'above 0 m', meter,
-                (YES if inside else NO) if known else '')
 
-    rows = [
-        row('least corridor margin', v['min_corridor_margin'], 3, 'm', 0.0,
-            v['min_corridor_margin'] > 0.0),
-        row('closing rate at the docking plane', v['x_rate'], 4, 'm/s', rate,
-            0.0 < v['x_rate'] < rate),
-        row('lateral offset there', v['offset'], 4, 'm', radius, v['offset'] < radius),
-        row('lateral rate there', v['lateral_rate'], 4, 'm/s', turn, v['lateral_rate'] < turn)]
-    text = _table(('criterion', 'value', 'limit', 'used', ''), rows, 'wide')
-    left = ''
-    if math.isfinite(v['exit_time']):
-        x, y, z = v['exit_position']
-        left = (f' It left the corridor at {v["exit_time"]:.1f} s, at x = {x:.2f} m, '
-                f'y = {y:.2f} m, z = {z:.2f} m.')
-    end = 'end' if v['final'] else 'the last judgement in the bag'
-    return (f'{text}<p>{v["duration"]:.2f} s from start to {end}; thrust executed '
-            f'{v["delta_v"]:.3f} m/s, summed over the axes.{left}</p>')
+def _meter(m: Judged) -> str:
+    """Return a bar that says how much of an upper limit is used; nothing if there is none."""
+    if not (m.known and m.high > 0.0):
+        return ''
+    share = min(max(m.value / m.high, 0.0), 1.0)
+    return (f'<span class="meter"><span style="width:{100 * share:.0f}%" '
+            f'class="{"good" if m.ok else "bad"}"></span></span>')
 
 
 def _figure(name: str, run: Recording) -> str:
@@ -185,10 +165,15 @@ def _link_table(run: Recording) -> str:
             for name in LINK_COUNTS]
     for name, text in (('delay_p50', 'measured transit, median'), ('delay_p99', '99th percentile'),
                        ('delay_max', 'largest'), ('play_out_delay', 'constant delay made of it')):
-        rows.append([text] + [_number(link.last[name], 3, 's') if link.last else ''
-                              for link in links.values()])
+        rows.append([text] + [_seconds(link.last.get(name)) for link in links.values()])
     rows.append(['balance'] + [_balance(link) for link in links.values()])
     return _table(('frames', *links), rows, 'numbers')
+
+
+def _seconds(value: float | None) -> str:
+    if value is None:
+        return ''
+    return f'{value:.3f} s' if math.isfinite(value) else DASH
 
 
 def _balance(link: LinkHistory) -> str:

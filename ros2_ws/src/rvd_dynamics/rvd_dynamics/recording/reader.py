@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 import yaml
 
+from rvd_dynamics.diagram.judge import from_message, Judgement
 from rvd_dynamics.link.channel import LINK_COUNTS
 from rvd_dynamics.mission import Mission
 from rvd_dynamics.diagram.params import build, dotted, leaves
@@ -137,7 +138,8 @@ class Recording:
     command_frames: Frames
     forward: LinkHistory
     back: LinkHistory
-    verdict: dict[str, Any]                     # fields of the last Verdict; empty if none
+    verdict: Judgement | None                   # the last one in the bag
+    judged: bool                                # and it is the final one
     events: tuple[Event, ...]
     last_step: int                              # last step in the bag, -1 if none
     ended: bool                                 # the run came to its end within the bag
@@ -215,7 +217,7 @@ def read(path: Path) -> Recording:
     steps = raw.steps(mission_of(scenario).step_ns)
     last_step = int(of['/run/end'][-1].data) if ended else max(
         (int(s.max()) for s in steps.values() if len(s)), default=-1)
-    notes = raw.notes.get('rvd_recording', {})
+    notes, verdicts = raw.notes.get('rvd_recording', {}), of['/run/verdict']
     return Recording(
         path=path,
         scenario_text=scenario,
@@ -224,7 +226,8 @@ def read(path: Path) -> Recording:
         **{name: _frames(of[topic]) for name, topic in FRAMES.items()},
         **{name: _link(of[topic]) for name, topic in LINKS.items()},
         score=_scores(of['/ground/prediction_score']), joy=_sticks(of['/joy']),
-        verdict=_verdict(of['/run/verdict']),
+        verdict=from_message(verdicts[-1]) if verdicts else None,
+        judged=bool(verdicts and verdicts[-1].final),
         events=tuple(Event(m.step, _seconds(m.header.stamp), m.node, m.code, m.text)
                      for m in of['/run/events']),
         last_step=last_step, ended=ended, complete=raw.complete,
@@ -386,13 +389,3 @@ def _sticks(messages: list) -> Sticks:
         axes[i, :len(m.axes)] = m.axes
         buttons[i, :len(m.buttons)] = m.buttons
     return Sticks(t=_stamps(messages), axes=axes, buttons=buttons)
-
-
-def _verdict(messages: list) -> dict[str, Any]:
-    if not messages:
-        return {}
-    last = messages[-1]
-    names = ('step', 'final', 'success', 'reason', 'duration', 'x_rate', 'offset', 'lateral_rate',
-             'min_corridor_margin', 'exit_time', 'delta_v')
-    return {name: getattr(last, name) for name in names} | {
-        'exit_position': _xyz(last.exit_position)}

@@ -28,7 +28,8 @@ from rvd_dynamics.mission import MODES
 
 TLX = ('mental', 'physical', 'temporal', 'performance', 'effort', 'frustration')
 TLX_KINDS = ('raw', 'weighted')
-KEYS = ('title', 'seed', 'conditions', 'training', 'flights', 'break_after', 'break_s', 'tlx')
+KEYS = ('title', 'seed', 'conditions', 'training', 'flights', 'break_after', 'break_s', 'tlx',
+        'note')
 MAX_VOLUNTEERS = 999
 RATINGS, WEIGHTS = 'ratings.json', 'tlx_weights.json'
 
@@ -45,6 +46,7 @@ class Session:
     break_after: int                    # flights between two breaks; 0: none
     break_s: float                      # [s] wall time
     tlx: str = 'raw'                    # one of TLX_KINDS
+    note: str = ''                      # printed below the table of the report
 
 
 @dataclass(frozen=True)
@@ -98,7 +100,8 @@ def read_session(path: Path) -> Session:
                    modes, _whole(path, tree, 'training', 1, 50),
                    _whole(path, tree, 'flights', 10, 200),
                    _whole(path, tree, 'break_after', 10, 1000),
-                   float(_whole(path, tree, 'break_s', 60, 3600)), tlx)
+                   float(_whole(path, tree, 'break_s', 60, 3600)), tlx,
+                   str(tree.get('note', '')))
 
 
 def _whole(path: Path, tree: dict, key: str, default: int, most: int) -> int:

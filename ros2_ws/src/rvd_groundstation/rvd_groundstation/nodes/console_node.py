@@ -12,6 +12,7 @@ from sensor_msgs.msg import Joy
 from std_msgs.msg import Bool
 
 from rvd_dynamics.link.frame import Downlink, unpack_downlink
+from rvd_dynamics.diagram.judge import for_page, from_message
 from rvd_dynamics.diagram.ros.conversions import header_at, ns_of, state_from_msg
 from rvd_dynamics.diagram.ros.node import WatchNode
 from rvd_dynamics.commands.levels import stick_levels
@@ -124,10 +125,7 @@ class ConsoleNode(WatchNode):
 
     def _on_verdict(self, v: Verdict) -> None:
         if v.final:                             # before, it would be truth
-            self._hub.post('final', {
-                'success': v.success, 'reason': v.reason, 'duration': v.duration,
-                'closing': v.x_rate, 'offset': v.offset, 'lateral': v.lateral_rate,
-                'margin': v.min_corridor_margin, 'exit': v.exit_time, 'delta_v': v.delta_v})
+            self._hub.post('final', for_page(from_message(v)))
             self.finish()
 
     def on_end(self) -> None:

@@ -10,7 +10,8 @@ import time
 from typing import Any
 
 from rvd_dynamics.diagram.build import made
-from rvd_dynamics.diagram.ros.conversions import header_at, vector
+from rvd_dynamics.diagram.judge import judgement
+from rvd_dynamics.diagram.ros.conversions import header_at, verdict_to_msg
 from rvd_dynamics.diagram.ros.host import Host, message_type
 from rvd_dynamics.diagram.ros.node import RunNode
 from rvd_dynamics.diagram.roster import MONITOR
@@ -59,15 +60,10 @@ class MissionMonitor(RunNode):
             self.finish()
 
     def _publish(self, final: bool) -> None:
-        v = self._judge.verdict(final)
-        message = Verdict(
-            header=header_at(self.step * self.run.step_ns, self.run.frame_id),
-            step=self.step, final=final, success=bool(v.success), reason=str(v.reason),
-            duration=float(v.duration), x_rate=float(v.x_rate), offset=float(v.offset),
-            lateral_rate=float(v.lateral_rate),
-            min_corridor_margin=float(v.min_corridor_margin), exit_time=float(v.exit_time),
-            exit_position=vector(v.exit_position), delta_v=float(v.delta_v))
-        self.host.publish(self._out, '/run/verdict', self.step, message)
+        judged = judgement(self._judge, self._judge.verdict(final))
+        header = header_at(self.step * self.run.step_ns, self.run.frame_id)
+        self.host.publish(self._out, '/run/verdict', self.step,
+                          verdict_to_msg(header, self.step, final, judged))
 
     def on_end(self, final_step: int) -> None:
         """Judge the final truth first, which may still be on its way."""
