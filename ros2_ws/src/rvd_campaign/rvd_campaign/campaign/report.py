@@ -19,6 +19,7 @@ from rvd_campaign.report.figures import drawn
 from rvd_campaign.report.figures import STYLE as LOOK
 from rvd_campaign.report.page import STYLE
 from rvd_campaign.flight.verdict import WORDS
+from rvd_dynamics.recording import whole
 
 LONG = 60                               # rows of a table that a page shows
 DASH, DOT = '\u2013', ' \u00b7 '
@@ -43,7 +44,7 @@ def write_campaign_report(folder: Path) -> Path:
         If the folder has no results yet.
     """
     target = folder / 'report.html'
-    results.write_whole(target, page(read(folder)))
+    whole.write_text(target, page(read(folder)))
     return target
 
 

@@ -3,19 +3,18 @@ The result table of a campaign: one row per run, the parts it is made of, and it
 
 Table   `COLUMNS`, sorted by condition (order of the campaign) and run. Unknown is NaN.
 Parts   `parts/cCCCC-rFIRST-nCOUNT.parquet`: a stretch of runs of one condition, written whole or
-        not at all (draft, fsync, rename). Which stretches there are depends on how the work was
+        not at all. Which stretches there are depends on how the work was
         split; the table and its hash do not.
 Hash    SHA-256 over the conditions' names, the columns' names and types and the decoded values,
         not over the bytes of a Parquet file, which change with the version of its writer.
 """
 
-import errno
 import hashlib
-import os
 import re
 from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
-from typing import NamedTuple
+from typing import IO, NamedTuple
 
 import numpy as np
 import pyarrow
@@ -23,6 +22,7 @@ import pyarrow.parquet
 from numpy.typing import NDArray
 
 from rvd_campaign.loop import Flight
+from rvd_dynamics.recording import whole
 
 Table = dict[str, NDArray]              # column: values of N runs
 
@@ -75,17 +75,8 @@ def rows(flight: Flight) -> Table:
 def write_part(folder: Path, stretch: Stretch, table: Table, seconds: float) -> None:
     """Write a finished stretch; `seconds` is the time its flying took on one core."""
     made = _arrow(table).replace_schema_metadata({'seconds': repr(seconds)})
-    draft = folder / f'{stretch.file}.draft'
-    try:
-        with draft.open('wb') as file:
-            pyarrow.parquet.write_table(made, file, compression='zstd')
-            file.flush()
-            os.fsync(file.fileno())
-        draft.replace(folder / stretch.file)
-    except OSError:
-        draft.unlink(missing_ok=True)
-        raise
-    _sync_folder(folder)
+    with whole.draft(folder / stretch.file) as file:
+        pyarrow.parquet.write_table(made, file, compression='zstd')
 
 
 def finished(folder: Path) -> dict[Stretch, float]:
@@ -158,17 +149,28 @@ def _arrow(table: Table) -> pyarrow.Table:
                           if COLUMNS[name] == 'U' else values for name, values in table.items()})
 
 
+@contextmanager
+def result_file(path: Path, seed: int) -> Iterator['ResultFile']:
+    """Open a result file, which is there whole at the end of the block or not at all."""
+    with whole.draft(path) as file:
+        made = ResultFile(file, seed)
+        try:
+            yield made
+        finally:
+            made.close()                        # left open, it would write to a closed file
+
+
 class ResultFile:
     """Writes `results.parquet`, one condition after the other, and hashes what it writes."""
 
-    def __init__(self, path: Path, seed: int) -> None:
-        self._path, self._draft, self._seed = path, path.with_suffix('.draft'), seed
+    def __init__(self, file: IO[bytes], seed: int) -> None:
+        self._seed = seed
         schema = pyarrow.schema([
             ('condition', pyarrow.dictionary(pyarrow.int32(), pyarrow.string())),
             ('seed', pyarrow.int64()),
             *((name, {'i8': pyarrow.int64(), '?': pyarrow.bool_(), 'f8': pyarrow.float64(),
                       'U': pyarrow.string()}[kind]) for name, kind in COLUMNS.items())])
-        self._writer = pyarrow.parquet.ParquetWriter(self._draft, schema, compression='zstd')
+        self._writer = pyarrow.parquet.ParquetWriter(file, schema, compression='zstd')
         self._hash = hashlib.sha256()
 
     def add(self, condition: str, table: Table) -> None:
@@ -182,14 +184,14 @@ class ResultFile:
         columns = {**head, **{name: body[name] for name in COLUMNS}}
         self._writer.write_table(pyarrow.table(columns, schema=self._writer.schema))
 
-    def close(self) -> str:
-        """Finish the file and return the hash of the table."""
-        self._writer.close()
-        with self._draft.open('rb') as file:
-            os.fsync(file.fileno())
-        self._draft.replace(self._path)
-        _sync_folder(self._path.parent)
+    @property
+    def hash(self) -> str:
+        """The hash of the table so far."""
         return self._hash.hexdigest()
+
+    def close(self) -> None:
+        """Write the end of the file."""
+        self._writer.close()
 
 
 def result_hash(path: Path) -> str:
@@ -236,33 +238,3 @@ def _spans(names: NDArray) -> Iterator[tuple[str, range]]:
     edges = [0, *(np.flatnonzero(names[1:] != names[:-1]) + 1).tolist(), len(names)]
     for first, end in zip(edges, edges[1:]):
         yield str(names[first]), range(first, end)
-
-
-def write_whole(path: Path, text: str) -> None:
-    """Write a text file whole or not at all."""
-    draft = path.with_name(f'{path.name}.draft')
-    try:
-        with draft.open('w', encoding='utf-8') as file:
-            file.write(text)
-            file.flush()
-            os.fsync(file.fileno())
-        draft.replace(path)
-    except OSError:
-        draft.unlink(missing_ok=True)
-        raise
-    _sync_folder(path.parent)
-
-
-def _sync_folder(folder: Path) -> None:
-    """Make renames in a folder last through a power cut, where the file system can."""
-    try:
-        handle = os.open(folder, os.O_RDONLY)
-    except OSError:
-        return
-    try:
-        os.fsync(handle)
-    except OSError as error:
-        if error.errno not in (errno.EINVAL, errno.EBADF):
-            raise
-    finally:
-        os.close(handle)

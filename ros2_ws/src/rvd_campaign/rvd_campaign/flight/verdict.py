@@ -9,6 +9,7 @@ from typing import Any
 
 from rvd_dynamics.link.channel import LINK_COUNTS
 from rvd_dynamics.mission import Mission
+from rvd_dynamics.recording import whole
 
 WORDS = {
     'docked': 'docked',
@@ -75,9 +76,7 @@ def unknown_as_none(value: Any) -> Any:
 
 def write(path: Path, content: dict[str, Any]) -> None:
     """Write `verdict.json` whole or not at all."""
-    draft = path.with_suffix('.tmp')
-    draft.write_text(json.dumps(content, indent=2) + '\n', encoding='utf-8')
-    draft.replace(path)
+    whole.write_text(path, json.dumps(content, indent=2) + '\n')
 
 
 def read(path: Path) -> dict[str, Any]:

@@ -16,6 +16,7 @@ from typing import Any
 
 from rvd_campaign.campaign.stats import wilson
 from rvd_campaign.report.page import STYLE
+from rvd_dynamics.recording import whole
 from rvd_groundstation.console.desk import RATINGS, WEIGHTS
 
 SESSION = 'session.json'
@@ -58,13 +59,13 @@ def write_session_report(folder: Path) -> Path:
     flights, left_out = read_flights(folder)
     if not any(not flight['training'] for flight in flights):
         raise ValueError(f'session {folder} has no rated flight yet')
-    with (folder / 'flights.csv').open('w', newline='', encoding='utf-8') as file:
+    with whole.draft(folder / 'flights.csv', 'w', newline='', encoding='utf-8') as file:
         writer = csv.DictWriter(file, COLUMNS)
         writer.writeheader()
         writer.writerows(flights)
     table = conditions(flights, list(session['conditions']))
     report = folder / 'report.html'
-    report.write_text(_page(session, table, flights, left_out), encoding='utf-8')
+    whole.write_text(report, _page(session, table, flights, left_out))
     return report
 
 

@@ -22,6 +22,7 @@ from mcap.stream_reader import StreamReader
 from mcap.writer import MCAP0_MAGIC, CompressionType, Writer
 import yaml
 
+from rvd_dynamics.recording import whole
 from rvd_dynamics.recording.rosbag2 import Contents, Topic, dump
 
 PROFILE = 'ros2'
@@ -120,16 +121,8 @@ def rewrite(path: Path, notes: dict[str, dict[str, str]]) -> Contents:
     OSError
         If the disk does not take it; the old file is as it was.
     """
-    part = path.with_name(path.name + '.part')
-    try:
-        with part.open('wb') as stream:
-            contents = _copy(path, stream, notes)
-            stream.flush()
-            os.fsync(stream.fileno())
-        part.replace(path)
-    finally:
-        part.unlink(missing_ok=True)
-    return contents
+    with whole.draft(path) as stream:
+        return _copy(path, stream, notes)
 
 
 def _copy(path: Path, stream: Any, notes: dict[str, dict[str, str]]) -> Contents:
