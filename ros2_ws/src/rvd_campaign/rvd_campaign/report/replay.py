@@ -15,13 +15,11 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from mcap.records import Channel, Message, Schema
-from mcap_ros2.decoder import DecoderFactory
 import numpy as np
 
 from rvd_dynamics.recording.reader import mission_of
 from rvd_dynamics.link.frame import Downlink, unpack_downlink
-from rvd_dynamics.recording.mcap_file import records
+from rvd_dynamics.recording.messages import MessageFile
 from rvd_dynamics.commands.levels import stick_levels
 from rvd_groundstation.console.feed import Feed
 from rvd_groundstation.console.protocol import encode
@@ -54,25 +52,10 @@ def load(runs: Path, name: str) -> str:
     if not files:
         raise ValueError('this run has no bag')
     replay = Replay(name)
-    for topic, message in messages(files):
-        replay.take(topic, message)
-    return encode(replay.content())
-
-
-def messages(files: list[Path]) -> Any:
-    """Yield (topic, decoded message) of the topics that a review shows, in file order."""
     for file in files:
-        factory, schemas, readers = DecoderFactory(), {}, {}
-        for record in records(file):
-            if isinstance(record, Message):
-                topic, decode = readers.get(record.channel_id, ('', None))
-                if decode is not None:
-                    yield topic, decode(record.data)
-            elif isinstance(record, Schema):
-                schemas[record.id] = record
-            elif isinstance(record, Channel) and record.topic in TOPICS:
-                readers[record.id] = (record.topic, factory.decoder_for(
-                    record.message_encoding, schemas.get(record.schema_id)))
+        for stored in MessageFile(file, TOPICS):
+            replay.take(stored.topic, stored.message)
+    return encode(replay.content())
 
 
 class Replay:
