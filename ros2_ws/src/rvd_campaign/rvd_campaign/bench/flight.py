@@ -12,6 +12,7 @@ import time
 from pathlib import Path
 from statistics import median
 
+from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.recording.messages import files_of, MessageFile
 
 TRUTH = '/truth/relative_state'
@@ -57,5 +58,5 @@ def fly_once() -> dict:
 
 def published(run: Path) -> list[float]:
     """Return the wall times at which the truths of a run were published [s]."""
-    return sorted(1e-9 * stored.publish_ns for file in files_of(run)
+    return sorted(stored.publish_ns / NS_PER_S for file in files_of(run)
                   for stored in MessageFile(file, {TRUTH}))

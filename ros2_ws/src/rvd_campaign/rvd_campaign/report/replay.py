@@ -19,13 +19,12 @@ import numpy as np
 
 from rvd_dynamics.recording.reader import mission_of
 from rvd_dynamics.link.frame import Downlink, unpack_downlink
-from rvd_dynamics.recording.messages import MessageFile
+from rvd_dynamics.recording.messages import MessageFile, stamp_ns
 from rvd_dynamics.commands.levels import stick_levels
 from rvd_groundstation.console.feed import Feed
 from rvd_groundstation.console.protocol import encode
 
 MOST_FRAMES = 900
-NS_PER_S = 1_000_000_000
 TOPICS = ('/run/scenario', '/truth/relative_state', '/ground/telemetry', '/ground/estimate',
           '/ground/prediction', '/ground/prediction_score', '/ground/auto_command',
           '/ground/command', '/joy', '/link/back/status', '/run/events', '/run/verdict')
@@ -110,7 +109,7 @@ class Replay:
         covariance = np.array(m.covariance).reshape(6, 6)
         sigma = None if np.isnan(covariance[0, 0]) else np.sqrt(
             np.maximum(covariance.diagonal(), 0.0))
-        self._feed.state(name, m.step, _ns(m), np.array(_state(m)), sigma, m.valid)
+        self._feed.state(name, m.step, stamp_ns(m.header.stamp), np.array(_state(m)), sigma, m.valid)
 
     def _estimate(self, m: Any) -> None:
         self._state('est', m)
@@ -121,7 +120,7 @@ class Replay:
     def _score(self, m: Any) -> None:
         if m.valid:
             e, v = m.position_error, m.velocity_error
-            self._feed.score(m.step, _ns(m), [e.x, e.y, e.z, v.x, v.y, v.z], list(m.sigma),
+            self._feed.score(m.step, stamp_ns(m.header.stamp), [e.x, e.y, e.z, v.x, v.y, v.z], list(m.sigma),
                              list(m.rms), m.scored)
 
     def _auto(self, m: Any) -> None:
@@ -156,11 +155,6 @@ class Replay:
                 'success': m.success, 'reason': m.reason, 'duration': m.duration,
                 'closing': m.x_rate, 'offset': m.offset, 'lateral': m.lateral_rate,
                 'margin': m.min_corridor_margin, 'exit': m.exit_time, 'delta_v': m.delta_v}
-
-
-def _ns(message: Any) -> int:
-    stamp = message.header.stamp
-    return stamp.sec * NS_PER_S + stamp.nanosec
 
 
 def _state(message: Any) -> list[float]:

@@ -14,6 +14,7 @@ from collections import deque
 from dataclasses import dataclass, fields, replace
 from heapq import heappop, heappush
 
+from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.link.plan import LinkPlan
 from rvd_dynamics.link.play_out import Frame, Outcome, PlayOut
 from rvd_dynamics.diagram.params import require
@@ -109,7 +110,7 @@ class Channel:
         if not self._transits:
             return NAN
         rank = -(-percent * len(self._transits) // 100)
-        return self._transits[max(rank, 1) - 1] / 1e9
+        return self._transits[max(rank, 1) - 1] / NS_PER_S
 
     def _send(self, step: int, frame: Frame) -> None:
         copies = 1 + self._duplicated[step]

@@ -10,6 +10,7 @@ from typing import Any, Callable, NamedTuple
 from mcap.records import Channel, Footer, Message, Metadata, Schema
 from mcap_ros2.decoder import DecoderFactory
 
+from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.recording.mcap_file import records
 
 
@@ -29,6 +30,11 @@ def files_of(path: Path) -> list[Path]:
     if not found:
         raise ValueError(f'{path} holds no bag: there is no .mcap file in the folder')
     return sorted(found, key=lambda file: (len(file.name), file.name))     # bag_2 before bag_10
+
+
+def stamp_ns(stamp: Any) -> int:
+    """Return the instant of a decoded stamp [ns]."""
+    return stamp.sec * NS_PER_S + stamp.nanosec
 
 
 class Source:

@@ -15,14 +15,14 @@ import numpy as np
 from numpy.typing import NDArray
 import yaml
 
+from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.link.channel import LINK_COUNTS
 from rvd_dynamics.mission import Mission
 from rvd_dynamics.diagram.params import build, dotted, leaves
-from rvd_dynamics.recording.messages import files_of, MessageFile, Stored
+from rvd_dynamics.recording.messages import files_of, MessageFile, stamp_ns, Stored
 from rvd_dynamics.recording.steps import step_reader
 from rvd_dynamics.diagram.ros import graph
 
-NS_PER_S = 1_000_000_000
 LINK_DELAYS = ('play_out_delay', 'delay_p50', 'delay_p99', 'delay_max')
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -271,7 +271,7 @@ def _table(of: Callable, messages: list, width: int, dtype: Any = np.float64) ->
 
 
 def _seconds(stamp: Any) -> float:
-    return (stamp.sec * NS_PER_S + stamp.nanosec) / NS_PER_S
+    return stamp_ns(stamp) / NS_PER_S
 
 
 def _instants(name: str, messages: list) -> Floats:

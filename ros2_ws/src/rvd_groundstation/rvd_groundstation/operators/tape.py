@@ -20,7 +20,8 @@ from dataclasses import dataclass
 from math import isfinite
 from pathlib import Path
 
-NS_PER_S = 1_000_000_000
+from rvd_dynamics.constants import NS_PER_S
+
 LATEST_S = 1e6                          # [s] stamps beyond lose digits in float seconds
 TOPIC, MESSAGE = '/joy', 'sensor_msgs/msg/Joy'
 
@@ -158,7 +159,7 @@ def _button(text: str, name: str, where: str) -> int:
 
 
 def _read_bag(path: Path) -> Tape:
-    from rvd_dynamics.recording.messages import files_of, MessageFile
+    from rvd_dynamics.recording.messages import files_of, MessageFile, stamp_ns
     samples = _Samples()
     for file in files_of(path):
         content = MessageFile(file, {TOPIC}, refuse_damage=True)
@@ -166,8 +167,7 @@ def _read_bag(path: Path) -> Tape:
             _check_type(file, stored.source.kind, stored.source.encoding)
             joy = stored.message
             samples.add(f'{file}, {TOPIC} message {stored.number}',
-                        joy.header.stamp.sec * NS_PER_S + joy.header.stamp.nanosec,
-                        tuple(joy.axes), tuple(joy.buttons))
+                        stamp_ns(joy.header.stamp), tuple(joy.axes), tuple(joy.buttons))
         for source in content.sources:          # also one without messages
             if source.topic == TOPIC:
                 _check_type(file, source.kind, source.encoding)
