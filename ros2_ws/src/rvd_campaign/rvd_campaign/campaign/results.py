@@ -194,15 +194,6 @@ class ResultFile:
         self._writer.close()
 
 
-def result_hash(path: Path) -> str:
-    """Return the hash of a result file, from what is in it."""
-    made = hashlib.sha256()
-    seed = pyarrow.parquet.ParquetFile(path).read_row_group(0, columns=['seed'])[0][0].as_py()
-    for name, table in tables(path):
-        _feed(made, name, seed, table)
-    return made.hexdigest()
-
-
 def _feed(made: 'hashlib._Hash', condition: str, seed: int, table: Table) -> None:
     made.update(f'{condition}\0{seed}\0{len(table["run"])}\0'.encode())
     for name, kind in COLUMNS.items():

@@ -41,11 +41,6 @@ class Condition:
     tlx_weighted: tuple | None          # likewise; None where weights were not asked for
 
 
-def is_session(folder: Path) -> bool:
-    """Say whether `folder` is one that the experiment desk made."""
-    return (folder / SESSION).is_file()
-
-
 def write_session_report(folder: Path) -> Path:
     """
     Write `flights.csv` and `report.html` of a session; return the latter's path.

@@ -24,7 +24,11 @@ NAN = float('nan')
 
 @dataclass
 class LinkCounts:
-    """What became of the copies so far; the names are those of LinkStatus.msg."""
+    """
+    What became of the copies so far; the names are those of LinkStatus.msg.
+
+    Every copy is somewhere: `sent + duplicated` is the sum of the seven counts that follow.
+    """
 
     sent: int = 0
     duplicated: int = 0
@@ -37,13 +41,6 @@ class LinkCounts:
     queued: int = 0
     corrupted: int = 0              # attribute of copies that arrived
     reordered: int = 0              # attribute of copies that arrived
-
-    @property
-    def balanced(self) -> bool:
-        """Every copy is somewhere."""
-        return self.sent + self.duplicated == (
-            self.delivered + self.late + self.lost + self.outage + self.duplicate_dropped
-            + self.in_flight + self.queued)
 
 
 LINK_COUNTS = tuple(f.name for f in fields(LinkCounts))

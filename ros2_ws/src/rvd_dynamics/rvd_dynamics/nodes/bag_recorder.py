@@ -13,7 +13,6 @@ stored as metadata records `rvd_missing` and `rvd_lost`.
 """
 
 import importlib
-import struct
 import time
 from pathlib import Path
 from typing import Callable

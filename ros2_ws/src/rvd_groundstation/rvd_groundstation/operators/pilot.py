@@ -15,7 +15,7 @@ Instants are counted in steps: next decisions are real numbers of steps, compare
 ones by a margin far above their rounding, so that 4 s are 80 steps of 0.05 s exactly.
 """
 
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, fields
 from math import exp, inf, prod, sqrt
 
 import numpy as np
@@ -94,11 +94,6 @@ PILOTS = {
     'B': PilotParams(skill_gain=1.0, display=False),    # with the display only in condition 2
     'C': PilotParams(skill_gain=1.77, skill_spread=0.20),
 }
-
-
-def with_display(params: PilotParams) -> PilotParams:
-    """Return the same pilot in front of a console that shows the prediction."""
-    return replace(params, display=True)
 
 
 class Pilot:
