@@ -5,7 +5,7 @@ import json
 
 import pytest
 
-from rvd_campaign.report.people import conditions, is_session, pairs, read_flights, write_session_report
+from rvd_campaign.report.people import conditions, pairs, read_flights, write_session_report
 
 
 def flight(folder, who, number, condition, success, *, training=False, seed=1, offset=0.1,
@@ -76,7 +76,6 @@ def test_flights_are_paired_by_volunteer_and_seed(session):
 
 
 def test_the_report_and_every_flight_are_written(session):
-    assert is_session(session)
     page = write_session_report(session).read_text()
     assert 'A &lt;session&gt;' in page and 'only shared 1' in page
     with (session / 'flights.csv').open() as file:

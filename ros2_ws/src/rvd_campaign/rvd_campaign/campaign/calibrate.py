@@ -27,10 +27,11 @@ from numpy.typing import NDArray
 from rvd_campaign import catalogue
 from rvd_campaign.campaign import engine, stats
 from rvd_campaign.campaign.lunar_columns import PAPER_MEANS, PAPER_RUNS, PAPER_SUCCESSES
-from rvd_campaign.campaign.results import Stretch, Table, write_whole
+from rvd_campaign.campaign.results import Stretch, Table
 from rvd_campaign.exits import CannotRun, EXIT_DONE
 from rvd_campaign.scenario import load, nearest, Scenario
 from rvd_dynamics.diagram.params import flatten
+from rvd_dynamics.recording import whole
 from rvd_groundstation.operators.pilot import PilotParams, PILOTS
 
 MEASURES = tuple(PAPER_MEANS)                   # whose means the paper gives
@@ -278,7 +279,7 @@ def main(args: argparse.Namespace) -> int:
             more = study(bench, fitted, look, free[0])
             print('\n'.join(more), flush=True)
             lines += more
-    write_whole(out, pilot_file(fitted, args, free, lines))
+    whole.write_text(out, pilot_file(fitted, args, free, lines))
     print(out)
     return EXIT_DONE
 

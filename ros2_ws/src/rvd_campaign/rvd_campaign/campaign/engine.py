@@ -39,6 +39,7 @@ from rvd_campaign.campaign.results import Stretch, Table
 from rvd_campaign.campaign.spec import Campaign, CampaignError, from_dict
 from rvd_campaign.loop import draw, draws_key, fly
 from rvd_campaign.scenario import Scenario
+from rvd_dynamics.recording import whole
 
 KEPT, PARTS, RESULTS = 'campaign.json', 'parts', 'results.parquet'
 BATCH_STEPS = 1_200_000         # runs times steps that fly together: 170 MB of draws, full speed
@@ -145,7 +146,7 @@ def start(campaign: Campaign, folder: Path) -> None:
 def keep(campaign: Campaign, folder: Path) -> None:
     """Write what the folder is about."""
     kept = {'campaign': campaign.as_dict(), 'identity': identity(campaign)}
-    results.write_whole(folder / KEPT, json.dumps(kept, indent=1))
+    whole.write_text(folder / KEPT, json.dumps(kept, indent=1))
 
 
 def fly_campaign(campaign: Campaign, folder: Path, workers: Workers, progress: Progress) -> None:

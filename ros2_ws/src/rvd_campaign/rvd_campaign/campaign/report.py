@@ -18,6 +18,7 @@ from rvd_campaign.campaign.summary import SUMMARY
 from rvd_campaign.report.figures import drawn
 from rvd_campaign.report.figures import STYLE as LOOK
 from rvd_campaign.report.page import STYLE
+from rvd_dynamics.recording import whole
 
 LONG = 60                               # rows of a table that a page shows
 BY = {'pilot': 'pilot alone', 'auto': 'automatic alone', 'blend': 'both, blended',
@@ -44,7 +45,7 @@ def write_campaign_report(folder: Path) -> Path:
         If the folder has no results yet, or those of another version.
     """
     target = folder / 'report.html'
-    results.write_whole(target, page(read(folder)))
+    whole.write_text(target, page(read(folder)))
     return target
 
 

@@ -5,19 +5,18 @@ Table   run, success, reason, duration_s, the measures of the mission's judge, a
         that the mission adds (`Layout`), sorted by condition (order of the campaign) and run.
         Unknown is NaN. Columns are text, bool, int64 or float64.
 Parts   `parts/cCCCC-rFIRST-nCOUNT.parquet`: a stretch of runs of one condition, written whole or
-        not at all (draft, fsync, rename). Which stretches there are depends on how the work was
+        not at all. Which stretches there are depends on how the work was
         split; the table and its hash do not.
 Hash    SHA-256 over the conditions' names, the columns' names and types and the decoded values,
         not over the bytes of a Parquet file, which change with the version of its writer.
 """
 
-import errno
 import hashlib
-import os
 import re
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
-from typing import NamedTuple
+from typing import IO, NamedTuple
 
 import numpy as np
 import pyarrow
@@ -26,6 +25,7 @@ from numpy.typing import NDArray
 
 from rvd_campaign.loop import Flight
 from rvd_dynamics.diagram.judge import table_columns
+from rvd_dynamics.recording import whole
 
 Table = dict[str, NDArray]              # column: values of N runs
 
@@ -92,17 +92,8 @@ def kind_of(name: str, values: NDArray) -> str:
 def write_part(folder: Path, stretch: Stretch, table: Table, seconds: float) -> None:
     """Write a finished stretch; `seconds` is the time its flying took on one core."""
     made = _arrow(table).replace_schema_metadata({'seconds': repr(seconds)})
-    draft = folder / f'{stretch.file}.draft'
-    try:
-        with draft.open('wb') as file:
-            pyarrow.parquet.write_table(made, file, compression='zstd')
-            file.flush()
-            os.fsync(file.fileno())
-        draft.replace(folder / stretch.file)
-    except OSError:
-        draft.unlink(missing_ok=True)
-        raise
-    _sync_folder(folder)
+    with whole.draft(folder / stretch.file) as file:
+        pyarrow.parquet.write_table(made, file, compression='zstd')
 
 
 def finished(folder: Path) -> dict[Stretch, float]:
@@ -178,11 +169,22 @@ def _arrow(table: Table) -> pyarrow.Table:
                           for name, values in table.items()})
 
 
+@contextmanager
+def result_file(path: Path, seed: int) -> Iterator['ResultFile']:
+    """Open a result file, which is there whole at the end of the block or not at all."""
+    with whole.draft(path) as file:
+        made = ResultFile(file, seed)
+        try:
+            yield made
+        finally:
+            made.close()                        # left open, it would write to a closed file
+
+
 class ResultFile:
     """Writes `results.parquet`, one condition after the other, and hashes what it writes."""
 
-    def __init__(self, path: Path, seed: int) -> None:
-        self._path, self._draft, self._seed = path, path.with_suffix('.draft'), seed
+    def __init__(self, file: IO[bytes], seed: int) -> None:
+        self._file, self._seed = file, seed
         self._writer: pyarrow.parquet.ParquetWriter | None = None
         self._hash = hashlib.sha256()
 
@@ -190,7 +192,7 @@ class ResultFile:
         """Append the sorted runs of the next condition; all have the columns of the first."""
         if self._writer is None:
             self._writer = pyarrow.parquet.ParquetWriter(
-                self._draft, _schema(table), compression='zstd')
+                self._file, _schema(table), compression='zstd')
         _feed(self._hash, condition, self._seed, table)
         n = len(table['run'])
         head = {'condition': pyarrow.DictionaryArray.from_arrays(
@@ -200,14 +202,15 @@ class ResultFile:
         parts = {**head, **{name: body[name] for name in table}}
         self._writer.write_table(pyarrow.table(parts, schema=self._writer.schema))
 
-    def close(self) -> str:
-        """Finish the file and return the hash of the table."""
-        self._writer.close()
-        with self._draft.open('rb') as file:
-            os.fsync(file.fileno())
-        self._draft.replace(self._path)
-        _sync_folder(self._path.parent)
+    @property
+    def hash(self) -> str:
+        """The hash of the table so far."""
         return self._hash.hexdigest()
+
+    def close(self) -> None:
+        """Write the end of the file."""
+        if self._writer is not None:
+            self._writer.close()
 
 
 def _schema(table: Table) -> pyarrow.Schema:
@@ -215,15 +218,6 @@ def _schema(table: Table) -> pyarrow.Schema:
         ('condition', pyarrow.dictionary(pyarrow.int32(), pyarrow.string())),
         ('seed', pyarrow.int64()),
         *((name, ARROW[kind_of(name, values)]) for name, values in table.items())])
-
-
-def result_hash(path: Path) -> str:
-    """Return the hash of a result file, from what is in it."""
-    made = hashlib.sha256()
-    seed = pyarrow.parquet.ParquetFile(path).read_row_group(0, columns=['seed'])[0][0].as_py()
-    for name, table in tables(path):
-        _feed(made, name, seed, table)
-    return made.hexdigest()
 
 
 def _feed(made: 'hashlib._Hash', condition: str, seed: int, table: Table) -> None:
@@ -243,7 +237,7 @@ def tables(path: Path, names: list[str] | None = None) -> Iterator[tuple[str, Ta
     """Yield each condition of a result file with its runs."""
     file = pyarrow.parquet.ParquetFile(path)
     wanted = names or [name for name in file.schema_arrow.names
-                         if name not in ('condition', 'seed')]
+                       if name not in ('condition', 'seed')]
     name, parts = None, []
     for group in range(file.num_row_groups):
         table = file.read_row_group(group, columns=['condition', *wanted])
@@ -262,33 +256,3 @@ def _spans(names: NDArray) -> Iterator[tuple[str, range]]:
     edges = [0, *(np.flatnonzero(names[1:] != names[:-1]) + 1).tolist(), len(names)]
     for first, end in zip(edges, edges[1:]):
         yield str(names[first]), range(first, end)
-
-
-def write_whole(path: Path, text: str) -> None:
-    """Write a text file whole or not at all."""
-    draft = path.with_name(f'{path.name}.draft')
-    try:
-        with draft.open('w', encoding='utf-8') as file:
-            file.write(text)
-            file.flush()
-            os.fsync(file.fileno())
-        draft.replace(path)
-    except OSError:
-        draft.unlink(missing_ok=True)
-        raise
-    _sync_folder(path.parent)
-
-
-def _sync_folder(folder: Path) -> None:
-    """Make renames in a folder last through a power cut, where the file system can."""
-    try:
-        handle = os.open(folder, os.O_RDONLY)
-    except OSError:
-        return
-    try:
-        os.fsync(handle)
-    except OSError as error:
-        if error.errno not in (errno.EINVAL, errno.EBADF):
-            raise
-    finally:
-        os.close(handle)

@@ -33,19 +33,17 @@ def finish(campaign: Campaign, folder: Path) -> dict[str, Any]:
     measures = declared(judge.measures)
     seconds = _seconds(folder, len(campaign.conditions))
     try:
-        file = results.ResultFile(folder / RESULTS, campaign.seed)
-        for (name, table), spent in zip(condition_tables(campaign, folder), seconds):
-            file.add(name, table)
-            conditions.append(of_condition(campaign.condition(name), table, spent,
-                                           list(measures)))
-            success[name] = table['success']
-        made_hash = file.close()
+        with results.result_file(folder / RESULTS, campaign.seed) as file:
+            for (name, table), spent in zip(condition_tables(campaign, folder), seconds):
+                file.add(name, table)
+                conditions.append(of_condition(campaign.condition(name), table, spent,
+                                               list(measures)))
+                success[name] = table['success']
     except OSError as error:
-        (folder / RESULTS).with_suffix('.draft').unlink(missing_ok=True)
         raise full_disk(folder, error) from None
     summary = {
         'campaign': campaign.name, 'title': campaign.title, 'seed': campaign.seed,
-        'result_hash': made_hash, 'identity': identity(campaign), 'measures': measures,
+        'result_hash': file.hash, 'identity': identity(campaign), 'measures': measures,
         'reasons': judge.reasons, 'conditions': conditions,
         'differences': [of_pair(a, b, success[a], success[b]) for a, b in campaign.compare],
         'fitted': campaign.fitted, 'notes': [*campaign.notes, *pilot_notes(campaign)]}

@@ -11,6 +11,7 @@ from rvd_dynamics.diagram import judge
 from rvd_dynamics.diagram.judge import from_message, Judgement
 from rvd_dynamics.link.channel import LINK_COUNTS
 from rvd_dynamics.mission import Mission
+from rvd_dynamics.recording import whole
 
 MISSION = 'lunar_approach'              # the only mission there is
 INTERRUPTED = 'interrupted'             # reason of a flight that was stopped, and its words
@@ -76,9 +77,7 @@ def unknown_as_none(value: Any) -> Any:
 
 def write(path: Path, content: dict[str, Any]) -> None:
     """Write `verdict.json` whole or not at all."""
-    draft = path.with_suffix('.tmp')
-    draft.write_text(json.dumps(content, indent=2) + '\n', encoding='utf-8')
-    draft.replace(path)
+    whole.write_text(path, json.dumps(content, indent=2) + '\n')
 
 
 def read(path: Path) -> dict[str, Any]:

@@ -20,6 +20,7 @@ from rvd_dynamics.commands.codes import BY_AUTO, BY_BLEND, BY_GUARD, BY_NOBODY, 
 from rvd_dynamics.diagram.judge import from_message
 from rvd_dynamics.mission import Mission
 from rvd_dynamics.diagram.ros import graph, qos
+from rvd_dynamics.diagram.ros.conversions import ns_of
 
 SHOWN = ('/truth/relative_state', '/ground/command', '/link/back/status')
 SETTLE_S = 3.0                  # [s] wall time without news after which a look back is complete
@@ -124,8 +125,7 @@ class FlightWatch:
                 message = deserialize_message(data, kind)
                 step = getattr(message, 'step', getattr(message, 'data', None))
                 if step is None:                # Joy
-                    stamp = message.header.stamp
-                    step = (stamp.sec * 10**9 + stamp.nanosec) // self._mission.step_ns
+                    step = ns_of(message.header.stamp) // self._mission.step_ns
                 last[topic] = max(step, last.get(topic, -1))
             return take
 

@@ -19,6 +19,7 @@ from rvd_campaign.report.page import STYLE
 from rvd_dynamics.diagram.judge import declared
 from rvd_dynamics.judge import Judge
 from rvd_dynamics.mission import Mission
+from rvd_dynamics.recording import whole
 from rvd_groundstation.console.desk import RATINGS, WEIGHTS
 
 SESSION = 'session.json'
@@ -41,11 +42,6 @@ class Condition:
     tlx_weighted: tuple | None          # likewise; None where weights were not asked for
 
 
-def is_session(folder: Path) -> bool:
-    """Say whether `folder` is one that the experiment desk made."""
-    return (folder / SESSION).is_file()
-
-
 def write_session_report(folder: Path) -> Path:
     """
     Write `flights.csv` and `report.html` of a session; return the latter's path.
@@ -59,13 +55,13 @@ def write_session_report(folder: Path) -> Path:
     flights, left_out = read_flights(folder)
     if not any(not flight['training'] for flight in flights):
         raise ValueError(f'session {folder} has no rated flight yet')
-    with (folder / 'flights.csv').open('w', newline='', encoding='utf-8') as file:
+    with whole.draft(folder / 'flights.csv', 'w', newline='', encoding='utf-8') as file:
         writer = csv.DictWriter(file, [*BEFORE, *_measures(flights), *AFTER])
         writer.writeheader()
         writer.writerows(flights)
     table = conditions(flights, list(session['conditions']))
     report = folder / 'report.html'
-    report.write_text(_page(session, table, flights, left_out), encoding='utf-8')
+    whole.write_text(report, _page(session, table, flights, left_out))
     return report
 
 

@@ -16,6 +16,7 @@ from rvd_campaign.report.figures import svg
 from rvd_campaign.report.page import CAPTIONS, STYLE
 from rvd_dynamics.diagram.judge import Judged
 from rvd_dynamics.commands import codes
+from rvd_dynamics.recording import whole
 from rvd_dynamics.recording.bag_writer import repair
 
 YES, NO, DASH, DOT = '\u2713', '\u2717', '\u2013', ' \u00b7 '
@@ -47,13 +48,10 @@ def write_report(run_dir: Path) -> Path:
     home = run_dir.parent if run_dir.is_file() or folder == run_dir and run_dir.name == 'bag' \
         else run_dir
     target = home / 'report.html'
-    draft = target.with_suffix('.html.part')
     text = page(read(run_dir))
     try:
-        draft.write_text(text, encoding='utf-8')
-        draft.replace(target)
+        whole.write_text(target, text)
     except OSError as error:
-        draft.unlink(missing_ok=True)
         raise ValueError(f'cannot write {target}: {error.strerror}') from None
     return target
 

@@ -138,6 +138,26 @@ def level_of_deflection(deflection: ArrayLike, dead_zone: float = 0.05) -> NDArr
     return np.where(deflection < 0.0, -level, level)
 
 
+def stick_axes(deflection: Sequence[float], held: bool, stick: StickParams
+               ) -> tuple[list[float], list[int]]:
+    """
+    Return axes and buttons of a `sensor_msgs/Joy`, of which `stick_levels` makes levels again.
+
+    Parameters
+    ----------
+    deflection : sequence of float, length 3
+        Along x, y, z, each -1 to 1.
+    held : bool
+        The dead-man button is held; nothing says so where `stick` has none.
+    """
+    wanted = (stick.axis_x, stick.axis_y, stick.axis_z)
+    axes = [0.0] * (1 + max(wanted))
+    for axis, sign, value in zip(wanted, (stick.sign_x, stick.sign_y, stick.sign_z), deflection):
+        axes[axis] = sign*value + 0.0                   # not -0.0
+    buttons = [0] * stick.deadman_button + [int(held)] if stick.deadman_button >= 0 else []
+    return axes, buttons
+
+
 def stick_levels(axes: Sequence[float], buttons: Sequence[int],
                  stick: StickParams) -> tuple[NDArray[np.int8], bool]:
     """

@@ -14,6 +14,7 @@ from collections import deque
 from dataclasses import dataclass, fields, replace
 from heapq import heappop, heappush
 
+from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.link.plan import LinkPlan
 from rvd_dynamics.link.play_out import Frame, Outcome, PlayOut
 from rvd_dynamics.diagram.params import require
@@ -23,7 +24,11 @@ NAN = float('nan')
 
 @dataclass
 class LinkCounts:
-    """What became of the copies so far; the names are those of LinkStatus.msg."""
+    """
+    What became of the copies so far; the names are those of LinkStatus.msg.
+
+    Every copy is somewhere: `sent + duplicated` is the sum of the seven counts that follow.
+    """
 
     sent: int = 0
     duplicated: int = 0
@@ -36,13 +41,6 @@ class LinkCounts:
     queued: int = 0
     corrupted: int = 0              # attribute of copies that arrived
     reordered: int = 0              # attribute of copies that arrived
-
-    @property
-    def balanced(self) -> bool:
-        """Whether every copy is accounted for."""
-        return self.sent + self.duplicated == (
-            self.delivered + self.late + self.lost + self.outage + self.duplicate_dropped
-            + self.in_flight + self.queued)
 
 
 LINK_COUNTS = tuple(f.name for f in fields(LinkCounts))
@@ -109,7 +107,7 @@ class Channel:
         if not self._transits:
             return NAN
         rank = -(-percent * len(self._transits) // 100)
-        return self._transits[max(rank, 1) - 1] / 1e9
+        return self._transits[max(rank, 1) - 1] / NS_PER_S
 
     def _send(self, step: int, frame: Frame) -> None:
         copies = 1 + self._duplicated[step]

@@ -16,6 +16,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.diagram.params import param, require, settings
 
 LONGEST_S = 1e6                 # [s] 11 days; transits beyond are refused, ns stay exact in int64
@@ -149,7 +150,7 @@ class LinkParams:
     @cached_property
     def outages_ns(self) -> tuple:
         """Pairs (start, end) of the outages that last [ns]; the end is not part of one."""
-        ns = [round(t * 1e9) for t in self.outage_windows_s]
+        ns = [round(t * NS_PER_S) for t in self.outage_windows_s]
         return tuple((a, b) for a, b in zip(ns[::2], ns[1::2]) if a < b)
 
 

@@ -19,6 +19,7 @@ from itertools import islice
 import numpy as np
 from numpy.typing import NDArray
 
+from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.link.models import LinkParams
 from rvd_dynamics.diagram.params import require
 
@@ -105,7 +106,7 @@ def draw_plan(params: LinkParams, rng: np.random.Generator, mission_steps: int, 
     uniforms = _uniforms(params.has_faults, rng, mission_steps)
     if uniforms is None:
         uniforms = np.ones((mission_steps, UNIFORMS_PER_STEP))
-    transits = params.delay_model.delays(rng, (mission_steps, 2), hold_steps * step_ns / 1e9)
+    transits = params.delay_model.delays(rng, (mission_steps, 2), hold_steps * step_ns / NS_PER_S)
     return _plan(params, np.asfortranarray(uniforms), np.asfortranarray(transits),  # for speed
                  step_ns, hold_steps)
 
@@ -119,7 +120,7 @@ def intact_of_runs(params: LinkParams, rngs: Iterable[np.random.Generator], runs
     the runs of one step lie together, which suits a loop over steps.
     """
     intact = np.empty((mission_steps, runs), dtype=bool)
-    rngs, faults, hold_s = iter(rngs), params.has_faults, hold_steps * step_ns / 1e9
+    rngs, faults, hold_s = iter(rngs), params.has_faults, hold_steps * step_ns / NS_PER_S
     for first in range(0, runs, HANDFUL):       # few enough for their plans to stay in the cache
         count = min(HANDFUL, runs - first)
         uniforms = np.ones((UNIFORMS_PER_STEP, count if faults else 1, mission_steps))
@@ -157,8 +158,8 @@ def _plan(params: LinkParams, uniforms: NDArray, transits: NDArray, step_ns: int
         params.reorder_fraction, params.corrupt_fraction, params.corrupt_fraction,
         params.duplicate_fraction)
     missing = np.isnan(transits)
-    transit_ns = np.rint(np.where(missing, 0.0, transits) * 1e9).astype(np.int64)
-    transit_ns += struck[..., 2:4] * round(params.reorder_delay_s * 1e9)
+    transit_ns = np.rint(np.where(missing, 0.0, transits) * NS_PER_S).astype(np.int64)
+    transit_ns += struck[..., 2:4] * round(params.reorder_delay_s * NS_PER_S)
     return LinkPlan(
         hold_ns=hold_steps * step_ns,
         transit_ns=transit_ns,

@@ -15,13 +15,14 @@ from pathlib import Path
 from typing import Any, Iterator
 
 from mcap.data_stream import RecordBuilder
-from mcap.exceptions import McapError
+from mcap.exceptions import EndOfFile
 from mcap.records import (
     Channel, DataEnd, Footer, Header, McapRecord, Message, Metadata, Schema)
 from mcap.stream_reader import StreamReader
 from mcap.writer import MCAP0_MAGIC, CompressionType, Writer
 import yaml
 
+from rvd_dynamics.recording import whole
 from rvd_dynamics.recording.rosbag2 import Contents, Topic, dump
 
 PROFILE = 'ros2'
@@ -95,17 +96,27 @@ def lock(path: Path) -> int | None:
     return handle
 
 
-def records(path: Path) -> Iterator[McapRecord]:
+def records(path: Path, refuse_damage: bool = False) -> Iterator[McapRecord]:
     """
     Yield the whole records of a file, the last one a `Footer` if the file is complete.
 
     A file cut off at any byte, or damaged from some byte on, yields the records before it.
+
+    Raises
+    ------
+    ValueError
+        With `refuse_damage`, if the file is damaged rather than cut off; names it.
     """
     with path.open('rb') as stream:
         try:
             yield from StreamReader(stream).records
-        except (McapError, struct.error, ValueError, OverflowError, MemoryError):
+        except (EndOfFile, struct.error):
             return
+        except OSError:
+            raise
+        except Exception as error:              # each decompressor has errors of its own
+            if refuse_damage:
+                raise ValueError(f'{path}: not a readable MCAP file: {error}') from None
 
 
 def rewrite(path: Path, notes: dict[str, dict[str, str]]) -> Contents:
@@ -120,16 +131,8 @@ def rewrite(path: Path, notes: dict[str, dict[str, str]]) -> Contents:
     OSError
         If it cannot be written; the old file is then unchanged.
     """
-    part = path.with_name(path.name + '.part')
-    try:
-        with part.open('wb') as stream:
-            contents = _copy(path, stream, notes)
-            stream.flush()
-            os.fsync(stream.fileno())
-        part.replace(path)
-    finally:
-        part.unlink(missing_ok=True)
-    return contents
+    with whole.draft(path) as stream:
+        return _copy(path, stream, notes)
 
 
 def _copy(path: Path, stream: Any, notes: dict[str, dict[str, str]]) -> Contents:

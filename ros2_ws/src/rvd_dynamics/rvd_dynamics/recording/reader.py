@@ -11,21 +11,19 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from mcap.records import Channel, Footer, Message, Metadata, Schema
-from mcap_ros2.decoder import DecoderFactory
 import numpy as np
 from numpy.typing import NDArray
 import yaml
 
+from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.diagram.judge import from_message, Judgement
 from rvd_dynamics.link.channel import LINK_COUNTS
 from rvd_dynamics.mission import Mission
 from rvd_dynamics.diagram.params import build, dotted, leaves
-from rvd_dynamics.recording.mcap_file import records
+from rvd_dynamics.recording.messages import files_of, MessageFile, stamp_ns, Stored
 from rvd_dynamics.recording.steps import step_reader
 from rvd_dynamics.diagram.ros import graph
 
-NS_PER_S = 1_000_000_000
 LINK_DELAYS = ('play_out_delay', 'delay_p50', 'delay_p99', 'delay_max')
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -181,24 +179,6 @@ WANTED = frozenset((*STATES.values(), *COMMANDS.values(), *FRAMES.values(), *LIN
                     *OTHERS))
 
 
-def files_of(path: Path) -> list[Path]:
-    """
-    Return the MCAP files of a run folder, a bag folder or a file, in order.
-
-    Raises
-    ------
-    ValueError
-        If there is none.
-    """
-    if path.is_file():
-        return [path]
-    folder = path / 'bag' if (path / 'bag').is_dir() else path
-    found = sorted(folder.glob('*.mcap'))
-    if not found:
-        raise ValueError(f'{path} holds no bag (no .mcap file)')
-    return found
-
-
 def read(path: Path) -> Recording:
     """
     Read a run from its bag: a run folder, a bag folder or an MCAP file.
@@ -206,7 +186,7 @@ def read(path: Path) -> Recording:
     Raises
     ------
     ValueError
-        If there is no bag. A bag that was cut off is no error.
+        If there is no bag, or a message cannot be decoded. A bag that was cut off is no error.
     """
     raw = _Raw()
     for file in files_of(path):
@@ -249,20 +229,8 @@ def newest(path: Path, topics: Iterable[str]) -> dict[str, Any]:
     """
     found: dict[str, Any] = dict.fromkeys(topics)
     for file in files_of(path):
-        schemas: dict[int, Schema] = {}
-        channels: dict[int, Channel] = {}
-        last: dict[int, bytes] = {}
-        for record in records(file):
-            if isinstance(record, Schema):
-                schemas[record.id] = record
-            elif isinstance(record, Channel) and record.topic in found:
-                channels[record.id] = record
-            elif isinstance(record, Message) and record.channel_id in channels:
-                last[record.channel_id] = record.data
-        for number, data in last.items():
-            channel = channels[number]
-            found[channel.topic] = DecoderFactory().decoder_for(
-                channel.message_encoding, schemas.get(channel.schema_id))(data)
+        last: dict[str, Stored] = {stored.topic: stored for stored in MessageFile(file, found)}
+        found.update((topic, stored.message) for topic, stored in last.items())
     return found
 
 
@@ -277,28 +245,16 @@ class _Raw:
         self.complete = True
 
     def take(self, file: Path) -> None:
-        schemas: dict[int, Schema] = {}
-        readers: dict[int, tuple[str, Callable | None]] = {}
-        factory, ended = DecoderFactory(), False
-        for record in records(file):
-            if isinstance(record, Message):
-                topic, decode = readers.get(record.channel_id, ('', None))
-                self.counts[topic] = self.counts.get(topic, 0) + 1
-                if decode is not None:
-                    self.messages[topic].append(decode(record.data))
-                if topic in self.owed:
-                    self.owed[topic].append(record.data)
-            elif isinstance(record, Schema):
-                schemas[record.id] = record
-            elif isinstance(record, Channel) and record.id not in readers:
-                self.counts.setdefault(record.topic, 0)
-                wanted = record.topic in WANTED
-                readers[record.id] = (record.topic, factory.decoder_for(
-                    record.message_encoding, schemas.get(record.schema_id)) if wanted else None)
-            elif isinstance(record, Metadata):
-                self.notes[record.name] = record.metadata
-            ended = isinstance(record, Footer)
-        self.complete = self.complete and ended
+        content = MessageFile(file)
+        for stored in content:
+            if stored.topic in self.messages:
+                self.messages[stored.topic].append(stored.message)
+            if stored.topic in self.owed:
+                self.owed[stored.topic].append(stored.data)
+        for source in content.sources:
+            self.counts[source.topic] = self.counts.get(source.topic, 0) + source.count
+        self.notes.update(content.notes)
+        self.complete = self.complete and content.complete
 
     def steps(self, step_ns: int) -> dict[str, Ints]:
         """Return the recorded steps of each topic that this run should write once per step."""
@@ -318,7 +274,7 @@ def _table(of: Callable, messages: list, width: int, dtype: Any = np.float64) ->
 
 
 def _seconds(stamp: Any) -> float:
-    return (stamp.sec * NS_PER_S + stamp.nanosec) / NS_PER_S
+    return stamp_ns(stamp) / NS_PER_S
 
 
 def _instants(name: str, messages: list) -> Floats:

@@ -9,12 +9,13 @@ Source  CDR, little endian as ROS 2 writes it: 4 bytes of encapsulation, then th
 import struct
 from typing import Callable
 
+from rvd_dynamics.constants import NS_PER_S
+
 HEADER_THEN_STEP = frozenset(f'rvd_interfaces/msg/{name}' for name in (
     'RelativeState', 'ThrustCommand', 'LinkStatus', 'PredictionScore', 'Verdict', 'RunEvent',
     'Values'))
 STEP_FIRST = frozenset(('rvd_interfaces/msg/LinkFrame',))
 STAMP_FIRST = frozenset(('sensor_msgs/msg/Joy', 'rosgraph_msgs/msg/Clock'))
-NS_PER_S = 1_000_000_000
 _STEP = struct.Struct('<Q')
 _STAMP = struct.Struct('<iI')
 _LENGTH = struct.Struct('<I')

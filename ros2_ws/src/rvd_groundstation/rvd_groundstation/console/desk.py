@@ -25,6 +25,7 @@ from typing import Any
 import yaml
 
 from rvd_dynamics.mission import MODES
+from rvd_dynamics.recording import whole
 
 TLX = ('mental', 'physical', 'temporal', 'performance', 'effort', 'frustration')
 TLX_KINDS = ('raw', 'weighted')
@@ -180,8 +181,7 @@ class Desk:
         self._reason = ''
         self._rest_until = 0.0
         folder.mkdir(parents=True, exist_ok=True)
-        (folder / 'session.json').write_text(json.dumps(
-            {**session.__dict__, 'scales': TLX}, indent=2) + '\n', encoding='utf-8')
+        _write(folder / 'session.json', {**session.__dict__, 'scales': TLX})
 
     @property
     def pseudonym(self) -> str:
@@ -307,8 +307,8 @@ class Desk:
                 choice in pair for choice, pair in zip(chosen, pairs)):
             raise ValueError('WEIGHTS')
         weights = {scale: chosen.count(scale) for scale in TLX}
-        _write_whole(self._folder / self.pseudonym / WEIGHTS,
-                     {**self._weights(), self._condition: weights})
+        _write(self._folder / self.pseudonym / WEIGHTS,
+               {**self._weights(), self._condition: weights})
         self._go_on()
 
     def _weights(self) -> dict[str, dict[str, int]]:
@@ -322,7 +322,7 @@ class Desk:
                 'number': flight.number, 'condition': flight.condition, 'mode': flight.mode,
                 'training': flight.training, 'seed': flight.seed, 'reason': self._reason,
                 'cooper_harper': harper, 'tlx': {**tlx, 'mean': sum(tlx.values()) / len(tlx)}}
-        _write_whole(self._folder / self._attempt / RATINGS, made)
+        _write(self._folder / self._attempt / RATINGS, made)
 
     def _go_on(self) -> None:
         self._at += 1
@@ -335,8 +335,5 @@ class Desk:
             self._stage = 'ready'
 
 
-def _write_whole(file: Path, content: dict) -> None:
-    """Write a file that is there whole or not at all."""
-    draft = file.with_suffix('.tmp')
-    draft.write_text(json.dumps(content, indent=2) + '\n', encoding='utf-8')
-    draft.replace(file)
+def _write(file: Path, content: dict) -> None:
+    whole.write_text(file, json.dumps(content, indent=2) + '\n')

@@ -15,7 +15,6 @@ Instants are counted in steps: the next decision is due at a real number of step
 whole steps by a margin far above rounding, so that 4 s are exactly 80 steps of 0.05 s.
 """
 
-from dataclasses import replace
 from math import exp, prod, sqrt
 
 import numpy as np
@@ -130,11 +129,6 @@ PILOTS = {
     'B': PilotParams(skill_gain=1.0, display=False),    # with the display only in condition 2
     'C': PilotParams(skill_gain=1.77, skill_spread=0.20),
 }
-
-
-def with_display(params: PilotParams) -> PilotParams:
-    """Return the same pilot in front of a console that shows the prediction."""
-    return replace(params, display=True)
 
 
 class Pilot:

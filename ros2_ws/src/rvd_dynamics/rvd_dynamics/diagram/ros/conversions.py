@@ -8,11 +8,11 @@ from geometry_msgs.msg import Vector3
 from numpy.typing import NDArray
 from std_msgs.msg import Header
 
+from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.diagram.judge import Judgement
 from rvd_interfaces.msg import LinkFrame, Measure, RelativeState, ThrustCommand, Verdict
 
 NAN = float('nan')
-NS_PER_S = 1_000_000_000
 
 
 def time_at(ns: int) -> Time:
