@@ -56,6 +56,10 @@ def _add_fly(commands: argparse._SubParsersAction) -> None:
                           '--operator console: hand)')
     fly.add_argument('--mode', choices=('shared', 'manual', 'auto'),
                      help='who decides (default: that of the scenario, else shared)')
+    fly.add_argument('--processes', choices=('blocks', 'segments', 'one'),
+                     help='how nodes share processes: each its own, one for each segment (space, '
+                          'link, ground ...), or all in one, the fastest (default: the scenario, '
+                          'else blocks)')
     fly.add_argument('--operator', choices=('model', 'replay', 'console', 'joy', 'none'),
                      help='the pilot (default: that of the scenario, else model)')
     fly.add_argument('--tape', metavar='FILE',

@@ -10,6 +10,8 @@ import threading
 import time
 from pathlib import Path
 
+from rvd_dynamics.diagram.roster import RECORDER
+
 STOP_S = 8.0                    # [s] wall time a node gets to end in order
 BAG_S = 5.0                     # [s] more for the recorder to close its bag
 
@@ -23,8 +25,10 @@ class Supervisor:
     """
 
     def __init__(self, bringup: Path, scenario: Path, run_dir: Path, headless: bool,
-                 domain: int) -> None:
+                 domain: int, recorder: str = RECORDER) -> None:
+        """Start the bring-up; `recorder` names the process that holds the recorder."""
         self.run_dir = run_dir
+        self._recorder = recorder
         self.pids: dict[str, int] = {}
         self.codes: dict[str, int] = {}
         command = [str(bringup), str(scenario), str(run_dir)] + ['--headless'] * headless
@@ -85,7 +89,7 @@ class Supervisor:
     def stop(self) -> None:
         """End every node by pid, the recorder last, and wait for them."""
         self.poll()
-        recorder = self.pids.get('bag_recorder')
+        recorder = self.pids.get(self._recorder)
         self._end([pid for pid in self.pids.values() if pid != recorder], STOP_S)
         if recorder is not None:
             self._end([recorder], BAG_S)

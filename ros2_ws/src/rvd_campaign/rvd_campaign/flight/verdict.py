@@ -9,11 +9,10 @@ from typing import Any
 
 from rvd_dynamics.diagram import judge
 from rvd_dynamics.diagram.judge import from_message, Judgement
+from rvd_dynamics.diagram.scenario import Scenario
 from rvd_dynamics.link.channel import LINK_COUNTS
-from rvd_dynamics.mission import Mission
 from rvd_dynamics.recording import whole
 
-MISSION = 'lunar_approach'              # the only mission there is
 INTERRUPTED = 'interrupted'             # reason of a flight that was stopped, and its words
 LINK_DELAYS = ('delay_p50', 'delay_p99', 'delay_max')
 
@@ -36,8 +35,7 @@ def outcome(verdict: Any, interrupted: bool = False) -> Judgement:
     return judged._replace(reason=INTERRUPTED, words=INTERRUPTED) if interrupted else judged
 
 
-def as_dict(judged: Judgement, links: dict[str, Any], mission: Mission, scenario: str
-            ) -> dict[str, Any]:
+def as_dict(judged: Judgement, links: dict[str, Any], scenario: Scenario) -> dict[str, Any]:
     """
     Return the content of `verdict.json`.
 
@@ -46,13 +44,17 @@ def as_dict(judged: Judgement, links: dict[str, Any], mission: Mission, scenario
     judged : Judgement
         How the flight went, from `outcome`.
     links : dict
-        The last LinkStatus of 'forward' and 'back'; one that never came is None.
+        The last LinkStatus of each leg by its name; one that never came is None.
+    scenario : Scenario
+        Where the mission has no modes and no operator, these are None.
     """
     said = judge.as_dict(judged)
+    operation = scenario.part('operation') if scenario.has_shared('operator') else None
     return unknown_as_none({
-        'success': said['success'], 'reason': said['reason'], 'mission': MISSION,
-        'scenario': scenario, 'mode': mission.mode, 'operator': mission.operator,
-        'seed': mission.seed, 'run': mission.run, 'duration_s': said['duration_s'],
+        'success': said['success'], 'reason': said['reason'], 'mission': scenario.mission.name,
+        'scenario': scenario.name, 'mode': getattr(operation, 'mode', None),
+        'operator': getattr(operation, 'operator', None), 'seed': scenario.run.seed,
+        'run': scenario.run.run, 'duration_s': said['duration_s'],
         'measures': said['measures'],
         'link': {name: link_dict(status) for name, status in links.items()}})
 

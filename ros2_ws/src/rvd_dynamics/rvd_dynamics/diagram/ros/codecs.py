@@ -15,7 +15,7 @@ from sensor_msgs.msg import Joy
 
 from rvd_dynamics.commands import codes
 from rvd_dynamics.commands.form import CommandForm
-from rvd_dynamics.commands.levels import stick_levels, StickParams
+from rvd_dynamics.commands.levels import HIGHEST, stick_axes, stick_levels, StickParams
 from rvd_dynamics.diagram.ros.conversions import (
     header_at, NAN, state_from_msg, state_to_msg, vector)
 from rvd_dynamics.diagram.run import Legs, Run
@@ -160,25 +160,14 @@ class Stick(Codec):
 
     def encode(self, k: int, value: Any) -> Joy:
         """Return the message of a value."""
-        axes, buttons = value.raw or joy_of_levels(value.command.tolist(), self._stick)
+        axes, buttons = value.raw or stick_axes(
+            [level / HIGHEST for level in value.command.tolist()], True, self._stick)
         return Joy(header=header_at(k * self.run.step_ns, 'joy'), axes=axes, buttons=buttons)
 
     def decode(self, k: int, message: Joy) -> Any:
         """Return the value in a message."""
         levels, valid = stick_levels(message.axes, message.buttons, self._stick)
         return self.signal(command=levels, valid=np.bool_(valid))
-
-
-def joy_of_levels(levels: list[int], stick: StickParams) -> tuple[list[float], list[int]]:
-    """Return the axes and buttons whose levels are `levels`, dead-man button held."""
-    axes = [0.0] * (1 + max(stick.axis_x, stick.axis_y, stick.axis_z))
-    axes[stick.axis_x] = stick.sign_x * levels[0] / 3
-    axes[stick.axis_y] = stick.sign_y * levels[1] / 3
-    axes[stick.axis_z] = stick.sign_z * levels[2] / 3
-    buttons = [0] * (stick.deadman_button + 1)
-    if buttons:
-        buttons[-1] = 1
-    return axes, buttons
 
 
 class Automatic(Codec):
