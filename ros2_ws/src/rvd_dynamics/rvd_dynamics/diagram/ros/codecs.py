@@ -96,10 +96,18 @@ class Parts(Codec):
             for part in signal.parts)
 
     def encode(self, k: int, value: Any) -> Values:
-        """Return the message of a value."""
+        """Return the message of a value; ValueError if a part is not of its shape."""
+        for part, given in zip(self.signal.parts, value, strict=True):
+            if np.shape(given) != part.shape:
+                raise ValueError(f'{part.name} must have shape {part.shape}, got {np.shape(given)}')
         numbers = np.concatenate([np.ravel(part).astype(float) for part in value])
         return Values(header=header_at(self.stamp_ns(k), self.run.frame_id), step=k,
                       layout=self._layout, values=numbers)
+
+    def wired(self, value: Any) -> Any:
+        """Return the value with every part of its own type, as `decode` does."""
+        return self.signal.type(*(np.asarray(given, part.dtype)
+                                  for part, given in zip(self.signal.parts, value)))
 
     def decode(self, k: int, message: Values) -> Any:
         """Return the value in a message; ValueError if it is of another layout."""
