@@ -15,8 +15,8 @@ from rvd_campaign.campaign.engine import open_folder, RESULTS
 from rvd_campaign.campaign.figures import FIGURES, NEEDED, Results
 from rvd_campaign.campaign.spec import CampaignError
 from rvd_campaign.campaign.summary import SUMMARY
-from rvd_campaign.report.figures import drawn
-from rvd_campaign.report.figures import STYLE as LOOK
+from rvd_dynamics.recording.drawing import STYLE as LOOK
+from rvd_dynamics.recording.drawing import svg
 from rvd_campaign.report.page import STYLE
 from rvd_dynamics.recording import whole
 
@@ -224,7 +224,7 @@ def _figure(name: str, made: Results) -> str:
         figure, caption = draw(made)
         said.append(caption)
         return figure
-    picture = drawn(name, drawing)
+    picture = svg(name, drawing)
     tall = ' class="tall"' if name in ('tracks', 'landing') else ''
     return (f'<figure{tall}><h2>{title}</h2>{picture}'
             f'<figcaption>{escape(said[0])}</figcaption></figure>')

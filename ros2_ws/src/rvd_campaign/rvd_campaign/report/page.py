@@ -1,37 +1,6 @@
 """
-The look of a report and the captions of its figures.
+The look of a report.
 """
-
-CAPTIONS = {
-    'approach': (
-        'Approach',
-        'The track in the two planes of the target orbital frame; the lateral scale is '
-        'stretched. Beyond the control boundary, drift can reach the wall before a command sent '
-        'now acts. Each plane shows the cone cut along its axis: the wall is met where the '
-        'distance from the axis, not y or z alone, reaches it. Right: the last two metres seen '
-        'along the direction of flight, with the limit at the docking plane.'),
-    'margin': (
-        'Corridor margin',
-        'Signed distance of the true position to the corridor wall. Shaded: times at which the '
-        'chaser was beyond the control boundary.'),
-    'levels': (
-        'Who commanded what',
-        'Thrust levels of pilot and automatic controller and the command made of them, at the '
-        'time they were made on the ground; they act on board one forward delay later.'),
-    'prediction': (
-        'Prediction error',
-        'What the ground predicted for an instant, minus what was true then (line), with two '
-        'standard deviations that the prediction itself claimed (band). Dots: minus what the '
-        'sensor said and the link brought later, with the sensor\u2019s noise in it; some may lie '
-        'outside the frame. A command that the link lost shows as an error that lasts until '
-        'telemetry tells.'),
-    'links': (
-        'Link delays',
-        'Transit time of each frame that was released, over the time it was sent, and their '
-        'distribution. Dashed: the constant delay that the play-out buffer makes of it; a frame '
-        'that takes longer, or is lost, is never released. Of a long run only every n-th dot is '
-        'drawn.'),
-}
 
 STYLE = '''
 :root{color-scheme:light dark;--font:system-ui,-apple-system,"Segoe UI",Roboto,"Helvetica Neue",

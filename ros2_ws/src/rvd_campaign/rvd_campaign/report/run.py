@@ -8,16 +8,19 @@ from collections import Counter
 from html import escape
 import math
 from pathlib import Path
-import re
 from typing import Iterable
 
-from rvd_dynamics.recording.reader import LINK_COUNTS, LinkHistory, read, Recording
-from rvd_campaign.report.figures import svg
-from rvd_campaign.report.page import CAPTIONS, STYLE
-from rvd_dynamics.diagram.judge import Judged
+from rvd_campaign.report.figures import figures_of
+from rvd_campaign.report.page import STYLE
 from rvd_dynamics.commands import codes
+from rvd_dynamics.diagram.judge import Judged
+from rvd_dynamics.link.channel import LINK_COUNTS
 from rvd_dynamics.recording import whole
 from rvd_dynamics.recording.bag_writer import repair
+from rvd_dynamics.recording.drawing import Figure, svg
+from rvd_dynamics.recording.reader import read
+from rvd_dynamics.recording.recording import Recording
+from rvd_dynamics.recording.series import Commands, LinkHistory
 
 YES, NO, DASH, DOT = '\u2713', '\u2717', '\u2013', ' \u00b7 '
 DECIDED = {codes.BY_NOBODY: 'nobody (no valid input)', codes.BY_PILOT: 'pilot alone',
@@ -62,9 +65,9 @@ def page(run: Recording) -> str:
     sections = [
         _banner(run),
         f'<section><h2>Verdict</h2>{_verdict_table(run)}</section>',
-        *(_figure(name, run) for name in CAPTIONS if run.last_step >= 0),
-        f'<section><h2>Link counts</h2>{_link_table(run)}</section>',
-        f'<section><h2>Commands</h2>{_command_table(run)}</section>',
+        *(_figure(name, figure, run) for name, figure in figures_of(run).items()),
+        f'<section><h2>Link counts</h2>{_link_table(run)}</section>' if run.links else '',
+        _commands(run),
         f'<section><h2>Events</h2>{_events(run)}</section>',
         f'<section><h2>Recording</h2>{_recording_table(run)}</section>',
         _scenario(run)]
@@ -82,26 +85,36 @@ def headline(run: Recording) -> str:
 
 
 def _header(run: Recording, words: str) -> str:
-    mission = run.mission
     mark, kind = '?', 'open'
     if run.judged:
         mark, kind = (YES, 'good') if run.verdict.success else (NO, 'bad')
-    name = re.match(r'# Scenario (\S+)', run.scenario_text)
-    facts = [
-        f'scenario <b>{escape(name[1] if name else "unknown")}</b>',
-        f'mode <b>{escape(mission.mode)}</b>', f'operator <b>{escape(mission.operator)}</b>',
-        f'seed <b>{mission.seed}</b>, run <b>{mission.run}</b>',
-        f'step <b>{mission.step_s:g} s</b>',
-        f'delay <b>{mission.forward_delay_s:g} + {mission.back_delay_s:g} s</b>']
+    facts = [f'{escape(name)} <b>{escape(value)}</b>' for name, value in facts_of(run)]
     return (f'<header class="{kind}"><h1><span class="mark">{mark}</span> '
             f'{escape(words[0].upper() + words[1:])}</h1><p>{DOT.join(facts)}</p></header>')
+
+
+def facts_of(run: Recording) -> list[tuple[str, str]]:
+    """Return what there is to say about a run before it began: names and values."""
+    facts = [('scenario', run.name or 'unknown')]
+    scenario = run.scenario
+    if scenario is None:
+        return facts
+    facts.append(('mission', scenario.mission.name))
+    if scenario.has_shared('operator'):
+        operation = scenario.part('operation')
+        facts += [('mode', operation.mode), ('operator', operation.operator)]
+    facts += [('seed', str(scenario.run.seed)), ('run', str(scenario.run.run)),
+              ('step', f'{scenario.run.step_s:g} s')]
+    delays = ' + '.join(f'{link.hold_s:g}' for link in run.links.values())
+    return [*facts, ('delay', f'{delays} s')] if delays else facts
 
 
 def _banner(run: Recording) -> str:
     """Say plainly what the bag does not hold; nothing if it holds everything."""
     said = []
-    where = (f'at step {run.last_step} ({run.last_step * run.mission.step_s:g} s)'
-             if run.last_step >= 0 else 'before the first step')
+    where = 'before the first step' if run.last_step < 0 else f'at step {run.last_step}'
+    if run.scenario is not None and run.last_step >= 0:
+        where += f' ({run.last_step * run.scenario.run.step_s:g} s)'
     if not run.closed:
         said.append(f'The bag was cut off {where}; what came after that is not in it.')
     elif not run.ended:
@@ -112,8 +125,10 @@ def _banner(run: Recording) -> str:
         said.append(f'Received but not stored: {_listed(run.lost)}.')
     if run.trouble:
         said.append(f'The recorder said: {escape(run.trouble)}.')
-    if not run.scenario_text:
-        said.append('The bag holds no scenario: the default settings are assumed below.')
+    if run.scenario is None:
+        said.append(f'There are no figures: {escape(run.scenario_trouble)}.')
+    elif run.scenario_trouble:
+        said.append(f'Settings were left out: {escape(run.scenario_trouble)}.')
     return f'<p class="warning">{" ".join(said)}</p>' if said else ''
 
 
@@ -151,14 +166,13 @@ def _meter(m: Judged) -> str:
             f'class="{"good" if m.ok else "bad"}"></span></span>')
 
 
-def _figure(name: str, run: Recording) -> str:
-    title, caption = CAPTIONS[name]
-    return (f'<figure><h2>{title}</h2>{svg(name, run)}'
-            f'<figcaption>{caption}</figcaption></figure>')
+def _figure(name: str, figure: Figure, run: Recording) -> str:
+    return (f'<figure><h2>{escape(figure.title)}</h2>{svg(name, lambda: figure.draw(run))}'
+            f'<figcaption>{escape(figure.caption)}</figcaption></figure>')
 
 
 def _link_table(run: Recording) -> str:
-    links = {'forward': run.forward, 'back': run.back}
+    links = {name: link.history for name, link in run.links.items()}
     rows = [[name.replace('_', ' ')] + [str(link.last.get(name, '')) for link in links.values()]
             for name in LINK_COUNTS]
     for name, text in (('delay_p50', 'measured transit, median'), ('delay_p99', '99th percentile'),
@@ -184,17 +198,36 @@ def _balance(link: LinkHistory) -> str:
     return f'{left} = {right} {YES}' if left == right else f'{left} \u2260 {right} {NO}'
 
 
-def _command_table(run: Recording) -> str:
-    by = Counter(run.ground.decided_by.tolist())
-    total = max(len(run.ground.step), 1)
+def _commands(run: Recording) -> str:
+    """Return who decided, and what the guard refused, where commands are of our message type."""
+    tables = ''.join(map(_decided, decisions(run)))
+    thrust = None if run.scenario is None else run.of(run.scenario.diagram.thrust)
+    refused = _refused(thrust) if isinstance(thrust, Commands) and len(thrust) else ''
+    return f'<section><h2>Commands</h2>{tables}{refused}</section>' if tables + refused else ''
+
+
+def decisions(run: Recording) -> list[Commands]:
+    """Return the commands of the blocks that take orders from `/run/control`."""
+    if run.scenario is None:
+        return []
+    made = [run.of(signal) for block in run.scenario.diagram.blocks if block.control
+            for signal in block.writes.values()]
+    return [series for series in made if isinstance(series, Commands) and len(series)]
+
+
+def _decided(commands: Commands) -> str:
+    by, total = Counter(commands.decided_by.tolist()), len(commands)
     rows = [(DECIDED.get(who, str(who)), str(n), f'{100 * n / total:.0f} %')
             for who, n in sorted(by.items())]
-    refused = Counter(r for r in run.onboard.reason.tolist() if r in REFUSED)
+    return _table(('decided by', 'steps', 'share'), rows, 'numbers')
+
+
+def _refused(thrust: Commands) -> str:
+    refused = Counter(r for r in thrust.reason.tolist() if r in REFUSED)
     text = ', '.join(f'{n} for {REFUSED[r]}' for r, n in sorted(refused.items())) or 'none'
-    empty = int((run.onboard.reason == codes.REASON_EMPTY).sum())
-    return (_table(('decided by', 'steps', 'share'), rows, 'numbers')
-            + f'<p>Commands the onboard guard refused: {text}. '
-              f'Steps without a command on board: {empty}.</p>')
+    empty = int((thrust.reason == codes.REASON_EMPTY).sum())
+    return (f'<p>Commands the onboard guard refused: {text}. '
+            f'Steps without a command on board: {empty}.</p>')
 
 
 def _events(run: Recording) -> str:
