@@ -123,9 +123,9 @@ def pilot_notes(campaign: Campaign) -> list[str]:
     flown = [c.scenario for c in campaign.conditions if c.scenario.mission.operator == 'model']
     if not flown:
         return []
-    return ['The pilot is a model with 28 numbers. What was fitted of them was fitted to '
-            'three statistics of the paper\u2019s condition 1 (manual) and to nothing else; '
-            'agreement elsewhere supports the paper, it does not prove it.']
+    return ['The pilot is a model with 28 parameters. Those that were fitted were fitted to three '
+            'statistics of the paper\u2019s condition 1 (manual) and to nothing else; agreement '
+            'elsewhere supports the paper but does not prove it.']
 
 
 def _seconds(folder: Path, conditions: int) -> list[float]:

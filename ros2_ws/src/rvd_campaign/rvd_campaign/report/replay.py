@@ -123,7 +123,8 @@ class Replay:
         covariance = np.array(m.covariance).reshape(6, 6)
         sigma = None if np.isnan(covariance[0, 0]) else np.sqrt(
             np.maximum(covariance.diagonal(), 0.0))
-        self._feed.state(name, m.step, stamp_ns(m.header.stamp), np.array(_state(m)), sigma, m.valid)
+        self._feed.state(name, m.step, stamp_ns(m.header.stamp), np.array(_state(m)), sigma,
+                         m.valid)
 
     def _estimate(self, m: Any) -> None:
         self._state('est', m)
@@ -134,8 +135,8 @@ class Replay:
     def _score(self, m: Any) -> None:
         if m.valid:
             e, v = m.position_error, m.velocity_error
-            self._feed.score(m.step, stamp_ns(m.header.stamp), [e.x, e.y, e.z, v.x, v.y, v.z], list(m.sigma),
-                             list(m.rms), m.scored)
+            self._feed.score(m.step, stamp_ns(m.header.stamp), [e.x, e.y, e.z, v.x, v.y, v.z],
+                             list(m.sigma), list(m.rms), m.scored)
 
     def _auto(self, m: Any) -> None:
         self._feed.automatic(list(m.levels), m.valid)

@@ -411,21 +411,3 @@ def wiring() -> Any:
 def is_wiring(f: Field) -> bool:
     """Say whether a field is one that `wiring` made."""
     return f.metadata.get('wiring', False)
-
-
-def whole_steps(name: str, seconds: float, step_s: float) -> int:
-    """
-    Return a duration in steps.
-
-    Raises
-    ------
-    ValueError
-        If it is not a whole number of steps; the text names the two nearest.
-    """
-    steps = round(seconds / step_s)
-    if abs(steps * step_s - seconds) > 1e-9:
-        below = int(seconds / step_s)
-        raise ValueError(
-            f'{name} must be a whole number of steps of {step_s:g} s, got {seconds:g}: the two '
-            f'nearest are {below * step_s:g} and {(below + 1) * step_s:g}')
-    return steps

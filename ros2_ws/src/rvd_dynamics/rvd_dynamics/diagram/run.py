@@ -7,7 +7,8 @@ from typing import NamedTuple
 
 from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.diagram.diagram import GROUPINGS
-from rvd_dynamics.diagram.params import param, require, settings, whole_steps
+from rvd_dynamics.diagram.params import param, require, settings
+from rvd_dynamics.diagram.time_grid import whole_steps
 
 PACES = ('lockstep', 'realtime')
 DEFAULT_MISSION = 'lunar_approach'

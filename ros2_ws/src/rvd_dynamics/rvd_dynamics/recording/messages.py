@@ -70,7 +70,7 @@ class Source:
             return self._decoder(data)
         except Exception as error:              # whatever made-up bytes or schemas lead to
             raise ValueError(f'{self._path}, {self.topic} message {number}: cannot be decoded: '
-                             f'{error or type(error).__name__}') from None
+                             f'{str(error) or type(error).__name__}') from None
 
 
 class Stored(NamedTuple):

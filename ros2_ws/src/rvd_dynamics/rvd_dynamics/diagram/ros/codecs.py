@@ -2,13 +2,15 @@
 Codecs: between the value of a signal and its message; a graph only.
 
 A codec is made with what its constructor names (`diagram.build`), besides `signal`, `run` and
-`event`, with which it may say that something happened. Its methods are `encode(k, value)`,
-`decode(k, message)` and `missing(k)`, what a reader gets when nothing came; `wired(value)` is what
-a reader in the same process gets, equal to what another would decode.
+`event`, with which it may say that something happened. Its methods are `encode(k, value)`, which
+returns the serialised message, or a message object, and `decode(k, message)` with `missing(k)`,
+what a reader gets when nothing came. Within a process the value itself passes by hand, as `wired`
+returns it: equal to what another process would decode.
 """
 
 from collections.abc import Callable
-from typing import Any
+from functools import lru_cache
+from typing import Any, NamedTuple
 
 import numpy as np
 from sensor_msgs.msg import Joy
@@ -16,8 +18,9 @@ from sensor_msgs.msg import Joy
 from rvd_dynamics.commands import codes
 from rvd_dynamics.commands.form import CommandForm
 from rvd_dynamics.commands.levels import HIGHEST, stick_axes, stick_levels, StickParams
-from rvd_dynamics.diagram.ros.conversions import (
-    header_at, NAN, state_from_msg, state_to_msg, vector)
+from rvd_dynamics.constants import NS_PER_S
+from rvd_dynamics.diagram.ros.conversions import header_at, NAN, state_from_msg
+from rvd_dynamics.diagram.ros.wire import Layout
 from rvd_dynamics.diagram.run import Legs, Run
 from rvd_dynamics.diagram.signal import Signal
 from rvd_dynamics.link.frame import Downlink as Measured
@@ -27,10 +30,36 @@ from rvd_interfaces.msg import LinkFrame, PredictionScore, RelativeState, Thrust
 
 Event = Callable[[str, str], None]
 REFUSALS = frozenset(Refusal)
+UNKNOWN = (NAN, NAN, NAN)
+NO_COVARIANCE = (NAN, *(0.0,) * 35)
+
+
+class FrameOfLink(NamedTuple):
+    """A LinkFrame that passes by hand; the fields of the message."""
+
+    step: int
+    sequence: int = 0
+    sent: int = -1
+    arrived: int = -1
+    released: int = -1
+    empty: bool = False
+    expedited: bool = False
+    payload: bytes = b''
+
+    def serialised(self) -> bytes:
+        """Return the message as bytes."""
+        return _frame_layout(len(self.payload)).pack(*self)
+
+
+@lru_cache(maxsize=64)
+def _frame_layout(size: int) -> Layout:
+    return Layout(LinkFrame, sizes={'payload': size})
 
 
 class Codec:
     """What codecs have in common."""
+
+    frames = False                              # what passes by hand is a FrameOfLink, not a value
 
     def __init__(self, signal: Signal, run: Run) -> None:
         self.signal, self.run = signal, run
@@ -40,9 +69,13 @@ class Codec:
         """Return the instant that the content of step k is valid for [ns]."""
         return max(k + self.signal.ahead, 0) * self.run.step_ns
 
-    def header(self, k: int) -> Any:
-        """Return a header with that instant."""
-        return header_at(self.stamp_ns(k), self.run.frame_id)
+    def stamp(self, k: int) -> tuple[int, int]:
+        """Return that instant as seconds and nanoseconds."""
+        return divmod(self.stamp_ns(k), NS_PER_S)
+
+    def laid_out(self, kind: type, **sizes: int) -> Layout:
+        """Return the layout of messages with a header in the run's frame."""
+        return Layout(kind, {'header.frame_id': self.run.frame_id}, sizes)
 
     def wired(self, value: Any) -> Any:
         """Return what a reader in the same process gets."""
@@ -65,7 +98,8 @@ class Parts(Codec):
     def encode(self, k: int, value: Any) -> Values:
         """Return the message of a value."""
         numbers = np.concatenate([np.ravel(part).astype(float) for part in value])
-        return Values(header=self.header(k), step=k, layout=self._layout, values=numbers)
+        return Values(header=header_at(self.stamp_ns(k), self.run.frame_id), step=k,
+                      layout=self._layout, values=numbers)
 
     def decode(self, k: int, message: Values) -> Any:
         """Return the value in a message; ValueError if it is of another layout."""
@@ -82,15 +116,30 @@ class Parts(Codec):
 
 # -- states ------------------------------------------------------------------------------------
 
-class Truth(Codec):
-    """The true state as RelativeState."""
+class _State(Codec):
+    """A relative state as RelativeState."""
 
-    def encode(self, k: int, value: Any) -> RelativeState:
-        """Return the message of a value."""
-        return state_to_msg(
-            k, self.stamp_ns(k), self.run.frame_id, RelativeState.SOURCE_TRUTH, value.state,
-            valid=bool(np.isfinite(value.state).all()), final=bool(value.final),
-            acceleration=value.acceleration)
+    source = RelativeState.SOURCE_TRUTH
+
+    def __init__(self, signal: Signal, run: Run) -> None:
+        super().__init__(signal, run)
+        self._layout = self.laid_out(RelativeState)
+
+    def packed(self, k: int, state: Any, valid: bool, final: bool = False,
+               acceleration: Any = UNKNOWN, covariance: Any = None) -> bytes:
+        """Return the serialised message."""
+        spread = NO_COVARIANCE if covariance is None else covariance.ravel().tolist()
+        return self._layout.pack(*self.stamp(k), k, self.source, valid, final, *state.tolist(),
+                                 *acceleration, *spread)
+
+
+class Truth(_State):
+    """The true state."""
+
+    def encode(self, k: int, value: Any) -> bytes:
+        """Return the serialised message of a value."""
+        return self.packed(k, value.state, bool(np.isfinite(value.state).all()),
+                           bool(value.final), value.acceleration.tolist())
 
     def decode(self, k: int, message: RelativeState) -> Any:
         """Return the value in a message."""
@@ -99,29 +148,28 @@ class Truth(Codec):
                            final=np.bool_(message.final))
 
 
-class Measurement(Codec):
-    """A sensor's sample as RelativeState."""
+class Measurement(_State):
+    """A sensor's sample."""
 
-    def encode(self, k: int, value: Any) -> RelativeState:
-        """Return the message of a value."""
-        return state_to_msg(k, self.stamp_ns(k), self.run.frame_id,
-                            RelativeState.SOURCE_MEASUREMENT, value.state,
-                            bool(np.isfinite(value.state).all()))
+    source = RelativeState.SOURCE_MEASUREMENT
+
+    def encode(self, k: int, value: Any) -> bytes:
+        """Return the serialised message of a value."""
+        return self.packed(k, value.state, bool(np.isfinite(value.state).all()))
 
     def decode(self, k: int, message: RelativeState) -> Any:
         """Return the value in a message."""
         return self.signal(state=state_from_msg(message))
 
 
-class Estimate(Codec):
-    """A state that somebody believes in, with its covariance, as RelativeState."""
+class Estimate(_State):
+    """A state that somebody believes in, with its covariance."""
 
     source = RelativeState.SOURCE_ESTIMATE
 
-    def encode(self, k: int, value: Any) -> RelativeState:
-        """Return the message of a value."""
-        return state_to_msg(k, self.stamp_ns(k), self.run.frame_id, self.source, value.state,
-                            bool(value.valid), covariance=value.covariance)
+    def encode(self, k: int, value: Any) -> bytes:
+        """Return the serialised message of a value."""
+        return self.packed(k, value.state, bool(value.valid), covariance=value.covariance)
 
     def decode(self, k: int, message: RelativeState) -> Any:
         """Return the value in a message, without the covariance, which no block reads."""
@@ -137,12 +185,15 @@ class Prediction(Estimate):
 class Score(Codec):
     """A prediction held against what came down later, as PredictionScore."""
 
-    def encode(self, k: int, value: Any) -> PredictionScore:
-        """Return the message of a value."""
-        return PredictionScore(
-            header=self.header(k), step=k, valid=bool(value.valid),
-            position_error=vector(value.error[:3]), velocity_error=vector(value.error[3:]),
-            sigma=value.sigma, scored=int(value.scored), rms=value.rms)
+    def __init__(self, signal: Signal, run: Run) -> None:
+        super().__init__(signal, run)
+        self._layout = self.laid_out(PredictionScore)
+
+    def encode(self, k: int, value: Any) -> bytes:
+        """Return the serialised message of a value."""
+        return self._layout.pack(
+            *self.stamp(k), k, bool(value.valid), *value.error.tolist(), *value.sigma.tolist(),
+            int(value.scored), *value.rms.tolist())
 
 
 # -- commands ----------------------------------------------------------------------------------
@@ -158,11 +209,12 @@ class Stick(Codec):
         super().__init__(signal, run)
         self._stick = stick
 
-    def encode(self, k: int, value: Any) -> Joy:
-        """Return the message of a value."""
+    def encode(self, k: int, value: Any) -> bytes:
+        """Return the serialised message of a value."""
         axes, buttons = value.raw or stick_axes(
             [level / HIGHEST for level in value.command.tolist()], True, self._stick)
-        return Joy(header=header_at(k * self.run.step_ns, 'joy'), axes=axes, buttons=buttons)
+        return _stick_layout(len(axes), len(buttons)).pack(
+            *divmod(k * self.run.step_ns, NS_PER_S), *axes, *buttons)
 
     def decode(self, k: int, message: Joy) -> Any:
         """Return the value in a message."""
@@ -170,16 +222,34 @@ class Stick(Codec):
         return self.signal(command=levels, valid=np.bool_(valid))
 
 
-class Automatic(Codec):
-    """What the law commands, as ThrustCommand."""
+@lru_cache(maxsize=16)
+def _stick_layout(axes: int, buttons: int) -> Layout:
+    return Layout(Joy, {'header.frame_id': 'joy'}, {'axes': axes, 'buttons': buttons})
 
-    def encode(self, k: int, value: Any) -> ThrustCommand:
-        """Return the message of a value."""
+
+class _Command(Codec):
+    """Levels as ThrustCommand."""
+
+    def __init__(self, signal: Signal, run: Run) -> None:
+        super().__init__(signal, run)
+        self._layout = self.laid_out(ThrustCommand)
+
+    def packed(self, k: int, sequence: int, kind: int, levels: Any, valid: bool, decided_by: int,
+               pilot_weight: float, reason: int) -> bytes:
+        """Return the serialised message."""
+        return self._layout.pack(*self.stamp(k), k, sequence, kind, *levels.tolist(), valid,
+                                 decided_by, pilot_weight, reason)
+
+
+class Automatic(_Command):
+    """What the law commands."""
+
+    def encode(self, k: int, value: Any) -> bytes:
+        """Return the serialised message of a value."""
         valid = bool(value.valid)
-        return ThrustCommand(
-            header=self.header(k), step=k, levels=value.command, valid=valid, pilot_weight=NAN,
-            decided_by=codes.BY_AUTO if valid else codes.BY_NOBODY,
-            reason=codes.REASON_NONE if valid else codes.REASON_MISSING)
+        return self.packed(k, 0, codes.KIND_THRUST, value.command, valid,
+                           codes.BY_AUTO if valid else codes.BY_NOBODY, NAN,
+                           codes.REASON_NONE if valid else codes.REASON_MISSING)
 
     def decode(self, k: int, message: ThrustCommand) -> Any:
         """Return the value in a message."""
@@ -187,15 +257,13 @@ class Automatic(Codec):
                            valid=np.bool_(message.valid))
 
 
-class Ground(Codec):
-    """The command of the ground, as ThrustCommand."""
+class Ground(_Command):
+    """The command of the ground."""
 
-    def encode(self, k: int, value: Any) -> ThrustCommand:
-        """Return the message of a value."""
-        return ThrustCommand(
-            header=self.header(k), step=k, sequence=k + 1, kind=int(value.kind),
-            levels=value.command, valid=True, decided_by=int(value.decided_by),
-            pilot_weight=float(value.pilot_weight), reason=int(value.reason))
+    def encode(self, k: int, value: Any) -> bytes:
+        """Return the serialised message of a value."""
+        return self.packed(k, k + 1, int(value.kind), value.command, True, int(value.decided_by),
+                           float(value.pilot_weight), int(value.reason))
 
     def decode(self, k: int, message: ThrustCommand) -> Any:
         """Return the value in a message."""
@@ -205,15 +273,13 @@ class Ground(Codec):
             reason=np.uint8(message.reason))
 
 
-class Thrusters(Codec):
-    """What the guard commands, as ThrustCommand."""
+class Thrusters(_Command):
+    """What the guard commands."""
 
-    def encode(self, k: int, value: Any) -> ThrustCommand:
-        """Return the message of a value."""
-        return ThrustCommand(
-            header=self.header(k), step=k, sequence=int(value.sequence), kind=int(value.kind),
-            levels=value.command, valid=bool(value.valid), pilot_weight=NAN,
-            reason=int(value.reason), decided_by=int(value.decided_by))
+    def encode(self, k: int, value: Any) -> bytes:
+        """Return the serialised message of a value."""
+        return self.packed(k, int(value.sequence), int(value.kind), value.command,
+                           bool(value.valid), int(value.decided_by), NAN, int(value.reason))
 
     def decode(self, k: int, message: ThrustCommand) -> Any:
         """Return the value in a message."""
@@ -226,17 +292,19 @@ class Thrusters(Codec):
 # -- the ends of the link ------------------------------------------------------------------------
 
 class _Sender(Codec):
-    """Packs a value into the frame of its step."""
+    """Packs a value into the frame of its step, which is what passes by hand."""
 
-    def _frame(self, k: int, payload: bytes, expedited: bool = False) -> LinkFrame:
-        return LinkFrame(step=k, sequence=k + 1, sent=k * self.run.step_ns, arrived=-1,
-                         released=-1, expedited=expedited, payload=payload)
+    frames = True
+
+    def _frame(self, k: int, payload: bytes, expedited: bool = False) -> FrameOfLink:
+        return FrameOfLink(step=k, sequence=k + 1, sent=k * self.run.step_ns, expedited=expedited,
+                           payload=payload)
 
 
 class Downlink(_Sender):
     """What the craft sends down, as LinkFrame."""
 
-    def encode(self, k: int, value: Any) -> LinkFrame:
+    def encode(self, k: int, value: Any) -> FrameOfLink:
         """Return the frame of a value."""
         return self._frame(k, pack_downlink(
             sequence=k + 1, generated_ns=k * self.run.step_ns, state=value.state,
@@ -245,6 +313,8 @@ class Downlink(_Sender):
 
 class Telemetry(Codec):
     """What came down, from a LinkFrame."""
+
+    frames = True
 
     def __init__(self, signal: Signal, run: Run, event: Event) -> None:
         super().__init__(signal, run)
@@ -269,7 +339,7 @@ class Uplink(_Sender):
         super().__init__(signal, run)
         self._form = form
 
-    def encode(self, k: int, value: Any) -> LinkFrame:
+    def encode(self, k: int, value: Any) -> FrameOfLink:
         """Return the frame of a value."""
         return self._frame(k, pack_command(
             sequence=k + 1, generated_ns=k * self.run.step_ns, command=value.command.tolist(),
@@ -278,6 +348,8 @@ class Uplink(_Sender):
 
 class Arrival(Codec):
     """What came up, through the guard's gate, from a LinkFrame."""
+
+    frames = True
 
     def __init__(self, signal: Signal, run: Run, form: CommandForm, legs: Legs, event: Event
                  ) -> None:

@@ -15,14 +15,17 @@ from rclpy.callback_groups import CallbackGroup
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import Bool, String, UInt64
 
+from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.diagram.block import Block, Leg, Read
 from rvd_dynamics.diagram.build import made
 from rvd_dynamics.diagram.control import Control
 from rvd_dynamics.diagram.diagram import DiagramError
 from rvd_dynamics.diagram.in_process import everything
-from rvd_dynamics.diagram.ros.conversions import empty_frame, header_at, ns_of, time_at
+from rvd_dynamics.diagram.ros.codecs import FrameOfLink
+from rvd_dynamics.diagram.ros.conversions import ns_of
 from rvd_dynamics.diagram.ros.host import Host, message_type
 from rvd_dynamics.diagram.ros.node import RunNode
+from rvd_dynamics.diagram.ros.wire import Layout
 from rvd_dynamics.diagram.roster import RECORDER, RECORDER_LEAD
 from rvd_dynamics.link.channel import Channel
 from rvd_dynamics.link.play_out import Frame
@@ -142,7 +145,7 @@ class FiringNode(RunNode):
                 continue
             self._inputs[name] = Input(read, writer.period if writer else 1, codec)
             if self.host.is_local(read.signal.name):
-                self._inputs[name].by_hand = not self.raw
+                self._inputs[name].by_hand = codec is not None and not codec.frames
                 self.host.take(read.signal.name, self._taker(name, codec))
                 continue
             signals = list(writer.writes.values()) if writer else []
@@ -164,15 +167,9 @@ class FiringNode(RunNode):
         return made(signal.codec, available, f'signal {signal.name}')
 
     def _taker(self, name: str, codec: Any) -> Any:
-        def take(step: int, value: Any, message: Any) -> None:
-            if self.raw:
-                self._came(name, step, message)
-            elif value is None:                 # written by a leg, as bytes
-                self._inputs[name].by_hand = False
-                self._came(name, step, message)
-            else:
-                self._came(name, step, codec.wired(value))
-        return take
+        if codec is None or codec.frames:
+            return lambda step, frame: self._came(name, step, frame)
+        return lambda step, value: self._came(name, step, codec.wired(value))
 
     def _subscribe(self, name: str, read: Read, group: CallbackGroup | None) -> None:
         kind, step_ns = message_type(read.signal.message), self.run.step_ns
@@ -292,9 +289,14 @@ class BlockNode(FiringNode):
         if not self._checked or self._commands:
             self._check(k, outputs)
         self.before_publishing(k, outputs)
+        publish = self.host.publish
         for name, (signal, codec, publisher) in self._outputs.items():
             value = outputs[name]
-            self.host.publish(publisher, signal.name, k, codec.encode(k, value), value)
+            made_of = codec.encode(k, value)
+            if codec.frames:
+                publish(publisher, signal.name, k, made_of.serialised(), made_of)
+            else:
+                publish(publisher, signal.name, k, made_of, value)
 
     def before_publishing(self, k: int, outputs: dict[str, Any]) -> None:
         """Look at the outputs of step k."""
@@ -362,6 +364,7 @@ class LegNode(FiringNode):
         self._name = block.writes['arrival'].name
         self._out = self.writer(self._name, LinkFrame)
         self._status = self.writer(block.status.name, LinkStatus)
+        self._counted = Layout(LinkStatus, {'header.frame_id': self.run.frame_id})
 
     def make(self) -> None:
         """Draw what will happen to every frame."""
@@ -378,20 +381,16 @@ class LegNode(FiringNode):
             frame = Frame(sequence=sent.sequence, sent_ns=sent.sent, expedited=sent.expedited,
                           payload=bytes(sent.payload))
         due = self._channel.advance(k, frame)
-        message = empty_frame(k)
+        passed = FrameOfLink(k, empty=True)
         if due is not None:
-            message = LinkFrame(
+            passed = FrameOfLink(
                 step=k, sequence=due.sequence, sent=due.sent_ns, arrived=due.arrived_ns,
                 released=due.released_ns, expedited=due.expedited, payload=due.payload)
-        self.host.publish(self._out, self._name, k, message)
-        self.host.publish(self._status, self.block.status.name, k, self._counted(k))
-
-    def _counted(self, k: int) -> LinkStatus:
+        self.host.publish(self._out, self._name, k, passed.serialised(), passed)
         delay_s = self._channel.delay_s
-        return LinkStatus(
-            header=header_at(k * self.run.step_ns, self.run.frame_id), step=k,
-            play_out_delay=self._hold_s, delay_p50=delay_s(50), delay_p99=delay_s(99),
-            delay_max=delay_s(100), **vars(self._channel.counts))
+        self.host.publish(self._status, self.block.status.name, k, self._counted.pack(
+            *divmod(k * self.run.step_ns, NS_PER_S), k, *vars(self._channel.counts).values(),
+            self._hold_s, delay_s(50), delay_s(99), delay_s(100)))
 
 
 class PlantNode(BlockNode):
@@ -408,7 +407,7 @@ class PlantNode(BlockNode):
         self._recorded: int | None = None
         self._waiting_for = set(self.roster.names) - {
             e.name for e in self.roster.externals.values() if e.foreign}
-        self._clock = self.writer('/clock', Clock)
+        self._clock, self._clock_layout = self.writer('/clock', Clock), Layout(Clock)
         self._end = self.writer('/run/end', UInt64)
         self._story = self.writer('/run/scenario', String)
         truth = self.roster.diagram.truth
@@ -427,14 +426,15 @@ class PlantNode(BlockNode):
 
     def _listen(self, topic: str, kind: type, heard: Any) -> None:
         if self.host.is_local(topic):
-            self.host.take(topic, lambda step, value, message: heard(message))
+            self.host.take(topic, lambda step, message: heard(message))
         else:
             self.watch(topic, kind, heard)
 
     def on_step(self, k: int) -> None:
         """Advance the truth; say when it is the last of it."""
         super().on_step(k)
-        self.host.publish(self._clock, '/clock', k, Clock(clock=time_at(k * self.run.step_ns)))
+        self.host.publish(self._clock, '/clock', k, self._clock_layout.pack(
+            *divmod(k * self.run.step_ns, NS_PER_S)))
 
     def before_publishing(self, k: int, outputs: dict[str, Any]) -> None:
         """Say that step k is the last before anybody can have it."""

@@ -31,7 +31,7 @@ BARRIER_PERIOD_S = 0.05         # [s] wall time between two looks at the endpoin
 DIAGNOSTICS_PERIOD_S = 1.0      # [s] wall time
 MOMENT_S = 0.3                  # [s] wall time in which local readers get what was written last
 RECORDER_S = 5.0                # [s] wall time that a closing process gives the recorder
-SLICE_S = 0.01                  # [s] wall time of firing before the executor is looked at again
+SLICE_S = 0.02                  # [s] wall time of firing before the executor is looked at again
 
 
 def message_type(name: str) -> type:
@@ -54,7 +54,7 @@ class Host:
         self.firing: list[Any] = []             # nodes of blocks, in the order of the diagram
         self.final_step: int | None = None
         self._error: tuple[RunNode, Exception] | None = None
-        self._takers: dict[str, list[Callable]] = defaultdict(list)     # (step, value, message)
+        self._takers: dict[str, list[Callable]] = defaultdict(list)     # (step, what passes)
         self._keepers: dict[str, list[Callable]] = defaultdict(list)    # (step, bytes)
         self._diagnosed = time.monotonic()
         self._ended = False
@@ -83,8 +83,8 @@ class Host:
     def _home(self) -> str:
         return next(iter(self.nodes))
 
-    def take(self, topic: str, taker: Callable[[int, Any, Any], None]) -> None:
-        """Hand on what nodes of this process write on a topic: step, value, message."""
+    def take(self, topic: str, taker: Callable[[int, Any], None]) -> None:
+        """Hand on what nodes of this process write on a topic: the step, and what passes."""
         self._takers[topic].append(taker)
 
     def keep(self, topic: str, keeper: Callable[[int, bytes], None]) -> None:
@@ -92,18 +92,21 @@ class Host:
         self._keepers[topic].append(keeper)
 
     def publish(self, publisher: Publisher, topic: str, step: int, message: Any,
-                value: Any = None) -> None:
-        """Publish a message and hand it to whoever reads it in this process."""
+                by_hand: Any = None) -> None:
+        """
+        Publish a message, serialised or not, and hand it to whoever reads it in this process.
+
+        `by_hand` is what its readers in this process get; the message itself unless given.
+        """
         keepers = self._keepers.get(topic)
+        if keepers and not isinstance(message, bytes):
+            message = serialize_message(message)
+        publisher.publish(message)
         if keepers:
-            data = serialize_message(message)
-            publisher.publish(data)
             for keeper in keepers:
-                keeper(step, data)
-        else:
-            publisher.publish(message)
+                keeper(step, message)
         for taker in self._takers.get(topic, ()):
-            taker(step, value, message)
+            taker(step, message if by_hand is None else by_hand)
 
     # -- start ------------------------------------------------------------------------------
 
@@ -210,12 +213,15 @@ class Host:
         executor = SingleThreadedExecutor()
         for node in self.nodes.values():
             executor.add_node(node)
-        while not self._ended:
-            executor.spin_once(timeout_sec=0.0 if self._busy else None)
-            try:
-                self.work()
-            except Exception as error:          # noqa: B902 - of the block that fired last
-                self.fail(getattr(error, 'rvd_node', self._lead), error)
+        try:
+            while not self._ended:
+                executor.spin_once(timeout_sec=0.0 if self._busy else None)
+                try:
+                    self.work()
+                except Exception as error:      # noqa: B902 - of the block that fired last
+                    self.fail(getattr(error, 'rvd_node', self._lead), error)
+        finally:
+            executor.shutdown(timeout_sec=0.0)
         self.raise_error()
 
     def raise_error(self) -> None:
