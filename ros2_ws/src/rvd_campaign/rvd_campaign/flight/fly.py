@@ -237,7 +237,8 @@ class Flight:
         The middleware has been seen, once, to hang for ever while a process left it
         (`destroy_node`): that must not take the flight with it.
         """
-        importlib.import_module('rvd_campaign.report.run')  # takes a second: while the nodes end
+        for module in ('rvd_campaign.report.run', 'matplotlib.figure'):
+            importlib.import_module(module)     # takes a second: while the nodes end
         deadline = time.monotonic() + END_S
         while not self._supervisor.ended and time.monotonic() < deadline:
             self._watch.spin(SHOW_S)

@@ -112,6 +112,12 @@ class Roster:
             found.append(block.status.name)
         return (*found, '/clock') if name == self.diagram.plant else tuple(found)
 
+    @cached_property
+    def owed(self) -> dict[str, int]:
+        """The topics that get one message at each firing of their node: its period [steps]."""
+        return {topic: self.blocks[name].period for name in self.names if name in self.blocks
+                for topic in self.emits(name)}
+
     def writes(self, name: str) -> frozenset[str]:
         """Return all topics that a node writes, the common ones aside."""
         found = set(self.emits(name))
