@@ -225,7 +225,7 @@ def listed(scenario: Scenario, headless: bool) -> Roster:
 
 
 def lines(roster: Roster, run_dir: str) -> list[str]:
-    """Return one line a process: name, package, executable and ROS arguments, for a shell."""
+    """Return one line per process: name, package, executable and ROS arguments, for a shell."""
     names = f'[{",".join(roster.names)}]'
     made = []
     for process in roster.processes:
