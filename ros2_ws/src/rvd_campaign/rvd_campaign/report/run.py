@@ -173,13 +173,14 @@ def _commands_of_control(run: Recording) -> list[Commands]:
     blocks = () if run.scenario is None else run.scenario.diagram.blocks
     written = [run.of(signal) for block in blocks if block.control
                for signal in block.writes.values()]
-    return [series for series in written if isinstance(series, Commands)]
+    return [series for series in written
+            if isinstance(series, Commands) and series.decided_by is not None]
 
 
 def _refused(run: Recording) -> tuple[str, int] | None:
     """Return what the guard refused in words, and how many steps it had no command for."""
     thrust = None if run.scenario is None else run.of(run.scenario.diagram.thrust)
-    if not isinstance(thrust, Commands) or not len(thrust):
+    if not isinstance(thrust, Commands) or not len(thrust) or thrust.reason is None:
         return None                             # commands of another form say no reasons
     refused = Counter(r for r in thrust.reason.tolist() if r in REFUSED)
     words = ', '.join(f'{n} for {REFUSED[r]}' for r, n in sorted(refused.items())) or 'none'
