@@ -21,7 +21,7 @@ ROS = {'rclpy', 'rvd_interfaces', 'ament_index_python', 'builtin_interfaces', 'r
 # What the ground may use of rvd_dynamics: mathematics and vocabulary of both sides. The rest of
 # it is the world, which the ground knows through the link alone.
 SHARED = ['constants', 'frames', 'motion', 'geometry', 'commands', 'link.frame', 'judge',
-          'diagram', 'mission']
+          'diagram', 'mission', 'recording.messages', 'recording.whole']
 WORLD = ['world', 'onboard', 'link.models', 'link.plan', 'link.play_out', 'link.channel', 'nodes']
 
 # Outside of ros/ and nodes/ all the same: the live view of `rvd fly`, which listens to topics from

@@ -21,7 +21,7 @@ from typing import Any
 from rvd_campaign.flight import fly
 from rvd_campaign.cli import CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_INTERRUPTED
 from rvd_campaign.flight.domain import reserved_domain
-from rvd_campaign.scenario import Scenario
+from rvd_dynamics.diagram.scenario import Scenario
 
 URL_S = 30.0                    # [s] wall time for the page to be there
 LOOK_S = 0.2                    # [s] wall time between two looks at the process
@@ -161,7 +161,7 @@ def _serve(page: ConsoleProcess, args: argparse.Namespace, scenario: Scenario, r
 
 def _as_wished(scenario: Scenario, wish: dict[str, Any], flown: int) -> Scenario:
     """Return the scenario of the next run: each has a seed of its own."""
-    values = {'seed': wish.get('seed', scenario.mission.seed + flown)}
+    values = {'seed': wish.get('seed', scenario.run.seed + flown)}
     if 'mode' in wish:
         values['mode'] = wish['mode']
     return scenario.with_values('/**', **values)
@@ -178,10 +178,8 @@ def _folder(args: argparse.Namespace, wish: dict[str, Any], runs: Path, flown: i
 
 def _fly(page: ConsoleProcess, scenario: Scenario, run_dir: Path, runs: Path, domain: int,
          headless: bool) -> int:
-    mission = scenario.mission
     (run_dir / 'scenario.yaml').write_text(scenario.dump(), encoding='utf-8')
-    print(f'{scenario.name}: mode {mission.mode}, operator console, seed {mission.seed}, '
-          f'{run_dir}', flush=True)
+    print(f'{fly.introduced(scenario)}, {run_dir}', flush=True)
     name = os.path.relpath(run_dir, runs)
     page.tell('starting', name)
     stopped = []

@@ -15,19 +15,19 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from mcap.records import Channel, Message, Schema
-from mcap_ros2.decoder import DecoderFactory
 import numpy as np
+import yaml
 
-from rvd_dynamics.recording.reader import mission_of
+from rvd_dynamics.diagram.judge import for_page, from_message
+from rvd_dynamics.diagram.params import build, dotted, leaves
+from rvd_dynamics.mission import Mission
 from rvd_dynamics.link.frame import Downlink, unpack_downlink
-from rvd_dynamics.recording.mcap_file import records
+from rvd_dynamics.recording.messages import MessageFile, stamp_ns
 from rvd_dynamics.commands.levels import stick_levels
 from rvd_groundstation.console.feed import Feed
 from rvd_groundstation.console.protocol import encode
 
 MOST_FRAMES = 900
-NS_PER_S = 1_000_000_000
 TOPICS = ('/run/scenario', '/truth/relative_state', '/ground/telemetry', '/ground/estimate',
           '/ground/prediction', '/ground/prediction_score', '/ground/auto_command',
           '/ground/command', '/joy', '/link/back/status', '/run/events', '/run/verdict')
@@ -54,25 +54,21 @@ def load(runs: Path, name: str) -> str:
     if not files:
         raise ValueError('this run has no bag')
     replay = Replay(name)
-    for topic, message in messages(files):
-        replay.take(topic, message)
+    for file in files:
+        for stored in MessageFile(file, TOPICS):
+            replay.take(stored.topic, stored.message)
     return encode(replay.content())
 
 
-def messages(files: list[Path]) -> Any:
-    """Yield (topic, decoded message) of the topics that a review shows, in file order."""
-    for file in files:
-        factory, schemas, readers = DecoderFactory(), {}, {}
-        for record in records(file):
-            if isinstance(record, Message):
-                topic, decode = readers.get(record.channel_id, ('', None))
-                if decode is not None:
-                    yield topic, decode(record.data)
-            elif isinstance(record, Schema):
-                schemas[record.id] = record
-            elif isinstance(record, Channel) and record.topic in TOPICS:
-                readers[record.id] = (record.topic, factory.decoder_for(
-                    record.message_encoding, schemas.get(record.schema_id)))
+def mission_of(scenario: str) -> Mission:
+    """Return the shared settings of a scenario text, ignoring keys unknown to this version."""
+    try:
+        tree = yaml.safe_load(scenario)
+        given = dotted(tree['/**']['ros__parameters'])
+        known = {key for key, _ in leaves(Mission)}
+        return build(Mission, {key: value for key, value in given.items() if key in known})
+    except (yaml.YAMLError, ValueError, KeyError, TypeError, AttributeError):
+        return Mission()
 
 
 class Replay:
@@ -127,7 +123,8 @@ class Replay:
         covariance = np.array(m.covariance).reshape(6, 6)
         sigma = None if np.isnan(covariance[0, 0]) else np.sqrt(
             np.maximum(covariance.diagonal(), 0.0))
-        self._feed.state(name, m.step, _ns(m), np.array(_state(m)), sigma, m.valid)
+        self._feed.state(name, m.step, stamp_ns(m.header.stamp), np.array(_state(m)), sigma,
+                         m.valid)
 
     def _estimate(self, m: Any) -> None:
         self._state('est', m)
@@ -138,8 +135,8 @@ class Replay:
     def _score(self, m: Any) -> None:
         if m.valid:
             e, v = m.position_error, m.velocity_error
-            self._feed.score(m.step, _ns(m), [e.x, e.y, e.z, v.x, v.y, v.z], list(m.sigma),
-                             list(m.rms), m.scored)
+            self._feed.score(m.step, stamp_ns(m.header.stamp), [e.x, e.y, e.z, v.x, v.y, v.z],
+                             list(m.sigma), list(m.rms), m.scored)
 
     def _auto(self, m: Any) -> None:
         self._feed.automatic(list(m.levels), m.valid)
@@ -169,15 +166,7 @@ class Replay:
 
     def _on_verdict(self, m: Any) -> None:
         if m.final:
-            self._verdict = {
-                'success': m.success, 'reason': m.reason, 'duration': m.duration,
-                'closing': m.x_rate, 'offset': m.offset, 'lateral': m.lateral_rate,
-                'margin': m.min_corridor_margin, 'exit': m.exit_time, 'delta_v': m.delta_v}
-
-
-def _ns(message: Any) -> int:
-    stamp = message.header.stamp
-    return stamp.sec * NS_PER_S + stamp.nanosec
+            self._verdict = for_page(from_message(m))
 
 
 def _state(message: Any) -> list[float]:

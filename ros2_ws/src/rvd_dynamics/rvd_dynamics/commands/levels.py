@@ -4,7 +4,7 @@ Thrust levels -3 .. 3 along x, y, z of the target orbital frame.
 Shapes  levels, accelerations and deflections carry x, y, z on the last axis; leading axes
         are batch axes.
 Source  Zhang, Li, Tang 2014, Table 2 (accelerations). The paper does not say how a force
-        becomes a level: here the nearest one, with thresholds half-way between levels.
+        becomes a level; here it is the nearest one, with thresholds half-way between levels.
 """
 
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ from struct import Struct
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rvd_dynamics.diagram.params import param, require
+from rvd_dynamics.diagram.params import param, require, settings
 
 HIGHEST = 3                             # levels run from -HIGHEST to HIGHEST
 LEVELS = range(-HIGHEST, HIGHEST + 1)
@@ -24,45 +24,37 @@ NEUTRAL = np.zeros(3, dtype=np.int8)
 NEUTRAL.flags.writeable = False
 
 
-@dataclass(frozen=True)
+@settings
 class ThrustParams:
     """Thrust acceleration of the levels 1, 2, 3 (Table 2)."""
 
-    x_m_s2: tuple = param((0.01, 0.02, 0.03), 'Levels 1, 2, 3 along x [m/s^2].')
-    lateral_m_s2: tuple = param((0.005, 0.01, 0.02), 'Levels 1, 2, 3 along y and z [m/s^2].')
-
-    def __post_init__(self) -> None:
-        for name in ('x_m_s2', 'lateral_m_s2'):
-            a = getattr(self, name)
-            require(len(a) == 3 and 0.0 < a[0] < a[1] < a[2] < float('inf'), f'thrust.{name}',
-                    'be three positive rising numbers', list(a))
+    x_m_s2: tuple = param(
+        (0.01, 0.02, 0.03), 'Accelerations of the levels 1, 2, 3 along x [m/s^2].',
+        above=0.0, length=3, rising=True)
+    lateral_m_s2: tuple = param(
+        (0.005, 0.01, 0.02), 'Accelerations of the levels 1, 2, 3 along y and z [m/s^2].',
+        above=0.0, length=3, rising=True)
 
 
-@dataclass(frozen=True)
+@settings
 class StickParams:
     """How a `sensor_msgs/Joy` becomes levels; the defaults are those of the `joy` ecosystem."""
 
-    axis_x: int = param(1, 'Index of the axis that commands x.')
-    axis_y: int = param(0, 'Index of the axis that commands y.')
-    axis_z: int = param(4, 'Index of the axis that commands z.')
-    sign_x: int = param(1, '+1 or -1: sense of the x axis.')
-    sign_y: int = param(1, '+1 or -1: sense of the y axis.')
-    sign_z: int = param(1, '+1 or -1: sense of the z axis.')
-    dead_zone: float = param(0.05, 'Deflection that still counts as neutral, of 1.')
-    deadman_button: int = param(4, 'Index of the button that must be held; -1: none.')
+    axis_x: int = param(1, 'Index of the axis that commands x.', low=0, high=63)
+    axis_y: int = param(0, 'Index of the axis that commands y.', low=0, high=63)
+    axis_z: int = param(4, 'Index of the axis that commands z.', low=0, high=63)
+    sign_x: int = param(1, 'Sense of the x axis, where -1 reverses it.', choices=(1, -1))
+    sign_y: int = param(1, 'Sense of the y axis, where -1 reverses it.', choices=(1, -1))
+    sign_z: int = param(1, 'Sense of the z axis, where -1 reverses it.', choices=(1, -1))
+    dead_zone: float = param(
+        0.05, 'Deflection up to which an axis counts as neutral, as a fraction of full '
+        'deflection.', low=0.0, below=1.0)
+    deadman_button: int = param(
+        4, 'Index of the button that must be held, where -1 means none.', low=-1, high=63)
 
     def __post_init__(self) -> None:
-        for name in ('axis_x', 'axis_y', 'axis_z'):
-            require(0 <= getattr(self, name) < 64, f'stick.{name}', 'be 0 to 63',
-                    getattr(self, name))
-        require(len({self.axis_x, self.axis_y, self.axis_z}) == 3, 'stick.axis_x, axis_y, axis_z',
+        require(len({self.axis_x, self.axis_y, self.axis_z}) == 3, 'axis_x, axis_y, axis_z',
                 'differ', [self.axis_x, self.axis_y, self.axis_z])
-        for name in ('sign_x', 'sign_y', 'sign_z'):
-            require(getattr(self, name) in (-1, 1), f'stick.{name}', 'be 1 or -1',
-                    getattr(self, name))
-        require(0.0 <= self.dead_zone < 1.0, 'stick.dead_zone', 'be 0 up to 1', self.dead_zone)
-        require(-1 <= self.deadman_button < 64, 'stick.deadman_button', 'be -1 to 63',
-                self.deadman_button)
 
 
 @lru_cache(maxsize=16)
@@ -114,7 +106,7 @@ def nearest_level(accel: ArrayLike, thrust: ThrustParams) -> NDArray[np.int8]:
     """
     Return the level whose acceleration is nearest, shape (..., 3); a tie takes the larger.
 
-    What is not finite asks for nothing: level 0 (its invalidity must travel beside it).
+    A value that is not finite gives level 0; that it is invalid must be passed on separately.
     """
     accel = np.asarray(accel, dtype=float)
     size = np.abs(accel)
@@ -130,8 +122,8 @@ def level_of_deflection(deflection: ArrayLike, dead_zone: float = 0.05) -> NDArr
     """
     Return the level of stick deflections of any shape: sign(a) floor(3 |a| + 0.5).
 
-    Up to `dead_zone` a deflection is neutral. A stick that stands at level / 3, as tapes and
-    models put it, gives that level.
+    A deflection up to `dead_zone` is neutral. A stick at level / 3, where tapes and models put
+    it, gives that level.
 
     Raises
     ------
@@ -147,13 +139,33 @@ def level_of_deflection(deflection: ArrayLike, dead_zone: float = 0.05) -> NDArr
     return np.where(deflection < 0.0, -level, level)
 
 
+def stick_axes(deflection: Sequence[float], held: bool, stick: StickParams
+               ) -> tuple[list[float], list[int]]:
+    """
+    Return axes and buttons of a `sensor_msgs/Joy`, of which `stick_levels` makes levels again.
+
+    Parameters
+    ----------
+    deflection : sequence of float, length 3
+        Along x, y, z, each -1 to 1.
+    held : bool
+        The dead-man button is held; nothing says so where `stick` has none.
+    """
+    wanted = (stick.axis_x, stick.axis_y, stick.axis_z)
+    axes = [0.0] * (1 + max(wanted))
+    for axis, sign, value in zip(wanted, (stick.sign_x, stick.sign_y, stick.sign_z), deflection):
+        axes[axis] = sign*value + 0.0                   # not -0.0
+    buttons = [0] * stick.deadman_button + [int(held)] if stick.deadman_button >= 0 else []
+    return axes, buttons
+
+
 def stick_levels(axes: Sequence[float], buttons: Sequence[int],
                  stick: StickParams) -> tuple[NDArray[np.int8], bool]:
     """
     Return the levels (3,) of one `sensor_msgs/Joy` and whether the message is valid.
 
-    The whole message is invalid, and its levels 0, when any axis is NaN or beyond -1 .. 1,
-    when an axis or button that `stick` names is not there, or when the dead-man button is open.
+    The whole message is invalid, and its levels are 0, if any axis is NaN or beyond -1 .. 1,
+    if an axis or button that `stick` names is missing, or if the dead-man button is open.
     """
     wanted = (stick.axis_x, stick.axis_y, stick.axis_z)
     if len(axes) <= max(wanted) or not all(-1.0 <= a <= 1.0 for a in axes):

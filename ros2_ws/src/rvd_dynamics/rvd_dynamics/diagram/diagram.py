@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from rvd_dynamics.diagram.block import (
-    Block, External, GROUND, Leg, LINK, ONBOARD, SEES_TRUTH, SEGMENTS, WATCH, WORLD)
+    Block, External, GROUND, Leg, LINK, ONBOARD, Read, SEES_TRUTH, SEGMENTS, WATCH, WORLD)
 from rvd_dynamics.diagram.signal import Signal
 
 GROUPINGS = ('blocks', 'segments', 'one')
@@ -145,6 +145,9 @@ class Diagram:
     def _check_reads(self) -> None:
         outside = {topic for external in self.externals for topic in external.writes}
         for block in self.blocks:
+            if block.in_graph and not any(not read.held for read in block.reads.values()):
+                raise DiagramError(f'block {block.name} reads nothing that makes it fire: a block '
+                                   'fires when its inputs are complete')
             for argument, read in block.reads.items():
                 signal = read.signal
                 writer = self.writer_of.get(signal.name)
@@ -155,7 +158,7 @@ class Diagram:
                                        'which nobody writes: a signal has one writer')
                 self._check_read(block, read, writer)
 
-    def _check_read(self, block: Block, read: 'Read', writer: Block) -> None:
+    def _check_read(self, block: Block, read: Read, writer: Block) -> None:
         name = read.signal.name
         if self.signals[name].parts != read.signal.parts:
             raise DiagramError(f'block {block.name} reads {name} with another layout than '

@@ -47,6 +47,10 @@ class Mission:
     checked : tuple of str
         Parts that are built as soon as a scenario is read, because they refuse what does not
         fit together.
+    modes : tuple of str
+        Modes that `/run/control` may change between.
+    markers : bool
+        Whether the scene is drawn for RViz and Foxglove.
     columns, figures, display, usual_steps : str
         'module:NAME' of the table columns beyond the measures, the figures of a recording, the
         console's display, and the number of steps that few runs outlast; empty: none.
@@ -67,6 +71,8 @@ class Mission:
     figures: str = ''
     display: str = ''
     usual_steps: str = ''
+    markers: bool = False
+    modes: tuple[str, ...] = ()
     short_words: Mapping[str, str] = field(default_factory=dict)
 
 

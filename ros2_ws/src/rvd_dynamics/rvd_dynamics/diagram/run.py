@@ -2,49 +2,50 @@
 What every mission's scenario says: the run itself, and the delays of the link.
 """
 
-from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
 from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.diagram.diagram import GROUPINGS
-from rvd_dynamics.diagram.params import param, require, whole_steps
+from rvd_dynamics.diagram.params import param, require, settings
+from rvd_dynamics.diagram.time_grid import whole_steps
 
 PACES = ('lockstep', 'realtime')
 DEFAULT_MISSION = 'lunar_approach'
 
 
-@dataclass(frozen=True)
+@settings
 class Run:
     """Time grid, random seed and pace of a run."""
 
-    mission: str = param(DEFAULT_MISSION, 'Mission that is flown; `rvd list missions` names them.')
-    step_s: float = param(0.5, 'Base step of the diagram [s].')
-    timeout_s: float = param(200.0, 'Simulated time after which the run ends at the latest [s].')
-    seed: int = param(0, 'Seed of every random stream.')
-    run: int = param(0, 'Number of the run within the seed.')
-    pace: str = param('lockstep', 'Pace of simulated time: lockstep runs as fast as the machine '
-                      'allows, realtime follows the wall clock.')
-    pace_factor: float = param(1.0, 'Simulated seconds per wall second with pace realtime.')
-    processes: str = param('blocks', 'How blocks share processes: blocks, one each; segments, one '
-                           'for each segment; one, all together.')
+    mission: str = param(
+        DEFAULT_MISSION, 'Name of the mission that is flown, one of `rvd list missions`.')
+    step_s: float = param(0.5, 'Base step of the diagram [s].', low=0.001, high=10.0)
+    timeout_s: float = param(
+        200.0, 'Simulated time after which the run ends at the latest [s].', above=0.0,
+        high=86400.0)
+    seed: int = param(0, 'Seed of every random stream.', low=0)
+    run: int = param(0, 'Number of the run within the seed.', low=0, high=2**32 - 1)
+    pace: str = param(
+        'lockstep', 'Pace of simulated time: lockstep runs as fast as the machine allows, '
+        'realtime follows the wall clock.', choices=PACES)
+    pace_factor: float = param(
+        1.0, 'Simulated seconds per second of wall time with pace realtime.', low=0.01,
+        high=1000.0)
+    processes: str = param(
+        'blocks', 'How blocks share processes: blocks gives each its own, segments one to each '
+        'segment, one the same to all.', choices=GROUPINGS)
     frame_id: str = param('target_lvlh', 'Name of the frame in which states are given.')
-    nodes: tuple = param(('',), 'Names of all nodes of this run, set at bring-up; empty: all '
-                         'blocks of the diagram that the run cannot do without.')
+    nodes: tuple = param(
+        ('',), 'Names of all nodes of this run, set at bring-up, where an empty name means all '
+        'that the run cannot do without.')
 
     def __post_init__(self) -> None:
-        require(0.001 <= self.step_s <= 10.0, 'step_s', 'be between 0.001 and 10', self.step_s)
         require(abs(self.step_s * NS_PER_S - self.step_ns) < 1e-3, 'step_s',
                 'be a whole number of nanoseconds', self.step_s)
-        require(self.step_s <= self.timeout_s <= 86400.0, 'timeout_s',
-                'be between one step and 86400', self.timeout_s)
-        require(0 <= self.seed < 2**64, 'seed', 'not be negative', self.seed)
-        require(0 <= self.run < 2**32, 'run', 'not be negative', self.run)
-        require(0.01 <= self.pace_factor <= 1000.0, 'pace_factor', 'be between 0.01 and 1000',
-                self.pace_factor)
-        for name, allowed in (('pace', PACES), ('processes', GROUPINGS)):
-            require(getattr(self, name) in allowed, name, f'be one of {", ".join(allowed)}',
-                    getattr(self, name))
+        require(self.step_s <= self.timeout_s, 'timeout_s', 'be between one step and 86400',
+                self.timeout_s)
+        require(self.seed < 2**64, 'seed', 'be below 2^64', self.seed)
 
     @cached_property
     def step_ns(self) -> int:
@@ -70,17 +71,14 @@ class Legs(NamedTuple):
         return self.forward + self.back
 
 
-@dataclass(frozen=True)
+@settings
 class LegParams:
     """Delays of the two legs of the link, after their play-out buffers."""
 
-    forward_delay_s: float = param(5.0, 'Constant delay of the forward link [s].')
-    back_delay_s: float = param(5.0, 'Constant delay of the back link [s].')
-
-    def __post_init__(self) -> None:
-        for name in ('forward_delay_s', 'back_delay_s'):
-            value = getattr(self, name)
-            require(0.0 <= value <= 3600.0, name, 'be between 0 and 3600', value)
+    forward_delay_s: float = param(
+        5.0, 'Constant delay of the forward link [s].', low=0.0, high=3600.0)
+    back_delay_s: float = param(
+        5.0, 'Constant delay of the back link [s].', low=0.0, high=3600.0)
 
     @property
     def loop_s(self) -> float:

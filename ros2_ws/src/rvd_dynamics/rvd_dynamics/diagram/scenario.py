@@ -7,7 +7,7 @@ unknown keys are refused with the nearest known one, shared keys stand under `/*
 """
 
 import difflib
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
 from pathlib import Path
@@ -117,7 +117,11 @@ class Scenario:
 
     def has_shared(self, key: str) -> bool:
         """Say whether the mission has this key under `/**`."""
-        return key in _known(self.mission, SHARED)
+        return self.has_key(SHARED, key)
+
+    def has_key(self, section: str, key: str) -> bool:
+        """Say whether a section of the mission has this key."""
+        return key in _known(self.mission, section)
 
     def wired(self, settings: Any) -> Any:
         """Return settings with what they ask for besides parameters; see `diagram.build`."""
@@ -202,11 +206,12 @@ def _known(mission: Mission, section: str) -> Mapping[str, tuple[str, str]]:
     return known[section]
 
 
-def sections_of(mission: Mission) -> dict[str, list[tuple[str, type]]]:
-    """Return the settings classes of each section, with the prefixes of their keys."""
+def sections_of(mission: Mission, only: Collection[str] = ()) -> dict[str, list[tuple[str, type]]]:
+    """Return the settings classes of all or some sections, with the prefixes of their keys."""
     made_of: dict[str, list[tuple[str, type]]] = {}
     for (section, _), (settings, prefix) in _groups(mission).items():
-        made_of.setdefault(section, []).append((prefix, loaded(settings)))
+        if section in only or not only:
+            made_of.setdefault(section, []).append((prefix, loaded(settings)))
     return made_of
 
 
@@ -256,14 +261,37 @@ def parse(text: str, name: str) -> Scenario:
         if section != SHARED and section not in mission.sections:
             raise ScenarioError(f'scenario {name}: no node {section!r}'
                                 + nearest(str(section), (SHARED, *mission.sections)))
-        parameters = body.get('ros__parameters') if isinstance(body, dict) else None
-        if not isinstance(parameters, dict) or len(body) != 1:
-            raise ScenarioError(f'scenario {name}: {section} must hold ros__parameters: '
-                                'and nothing else')
-        flat = flat_keys(parameters, f'scenario {name}')
+        flat = _flat_section(name, section, body)
         check_keys(name, mission, section, flat)
         sections[section] = flat
     return Scenario(name, mission, sections).check()
+
+
+def parse_known(text: str, name: str) -> tuple[Scenario, list[str]]:
+    """
+    Return the scenario in a text of another version, and the keys and nodes that were left out.
+
+    What this version does not know is left out; for all else errors are those of `load`.
+    """
+    tree = mapping_of(text, f'scenario {name}')
+    mission = mission_of(tree, name)
+    sections, unknown = {}, []
+    for section, body in tree.items():
+        if section != SHARED and section not in mission.sections:
+            unknown.append(str(section))
+            continue
+        flat, known = _flat_section(name, section, body), _known(mission, section)
+        sections[section] = {key: value for key, value in flat.items() if key in known}
+        unknown += [f'{section}: {key}' for key in flat if key not in known]
+    return Scenario(name, mission, sections).check(), unknown
+
+
+def _flat_section(name: str, section: Any, body: Any) -> dict[str, Any]:
+    parameters = body.get('ros__parameters') if isinstance(body, dict) else None
+    if not isinstance(parameters, dict) or len(body) != 1:
+        raise ScenarioError(f'scenario {name}: {section} must hold ros__parameters: '
+                            'and nothing else')
+    return flat_keys(parameters, f'scenario {name}')
 
 
 def mission_of(tree: dict[str, Any], name: str) -> Mission:

@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 INITIAL = {'f': np.nan, 'i': 0, 'u': 0, 'b': False}     # by kind of dtype: nothing is known yet
+FITS = {'f': 'fiub', 'i': 'iub', 'u': 'iub', 'b': 'b'}  # kinds of numbers that a part takes
 VALUES = 'rvd_interfaces/msg/Values'                    # carries any signal, part after part
 
 
@@ -68,7 +69,7 @@ class Signal:
     message : str
         Message type, 'package/msg/Type'.
     codec : str
-        'module:NAME' of an object with `encode` and `decode`; see `diagram.ros.codecs`.
+        'module:Class' with `encode` and `decode`; see `diagram.ros.codecs`.
     ahead : int
         Steps by which the instant that the content is valid for lies ahead of the step in which
         it is emitted; negative for what is known late. Instants before the start count as 0.
@@ -79,7 +80,7 @@ class Signal:
     name: str
     parts: tuple[Part, ...]
     message: str = VALUES
-    codec: str = 'rvd_dynamics.diagram.ros.codecs:VALUES'
+    codec: str = 'rvd_dynamics.diagram.ros.codecs:Parts'
     ahead: int = 0
     truth: bool = False
 
@@ -129,6 +130,6 @@ class Signal:
             if shape != wanted and shape != part.shape:
                 return f'{part.name} must have shape {wanted}, got {shape}'
             kind = np.asarray(given).dtype
-            if not np.can_cast(kind, np.dtype(part.dtype), 'same_kind'):
+            if kind.kind not in FITS[np.dtype(part.dtype).kind]:
                 return f'{part.name} must be {np.dtype(part.dtype)}, got {kind}'
         return ''

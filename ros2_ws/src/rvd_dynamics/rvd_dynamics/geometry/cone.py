@@ -4,36 +4,31 @@ Safe corridor: the inside of a cone about the approach axis, and its control bou
 Frame   target orbital; positions (x, y, z) [m] on the last axis, leading axes are batch axes.
 Shape   wall radius R(x) = d - x tan(alpha): d at the docking plane x = 0, wider towards -x,
         apex at x = d / tan(alpha) behind the plane. rho is the distance from the x axis.
-Source  Zhang, Li, Tang 2014, eq. 12-24, corrected: see docs/models/corridor.md. What is
-        printed differently there can be had by a keyword, for study only.
+Source  Zhang, Li, Tang 2014, eq. 12-24, corrected: see docs/models/corridor.md. The
+        printed forms are available by keyword, for study only.
 """
 
-from dataclasses import dataclass
 from functools import cached_property
 from math import cos, inf, pi, radians, sin, tan
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rvd_dynamics.diagram.params import param, require
+from rvd_dynamics.diagram.params import param, require, settings
 
 Array = NDArray[np.float64]
 
-SLOWEST_RATE = 0.01                     # [m/s] below, the drift of eq. 18 is no approach
+SLOWEST_RATE = 0.01                     # [m/s] slower, the drift of eq. 18 is not an approach
 
 
-@dataclass(frozen=True)
+@settings
 class Cone:
     """Approach cone: its half angle, and its radius at the docking plane."""
 
-    half_angle_deg: float = param(3.0, 'Half angle of the corridor cone [deg].')
-    docking_radius_m: float = param(0.3, 'Radius of the corridor at the docking plane x = 0 [m].')
-
-    def __post_init__(self) -> None:
-        require(0.0 < self.half_angle_deg < 90.0, 'corridor.half_angle_deg',
-                'be between 0 and 90', self.half_angle_deg)
-        require(self.docking_radius_m > 0.0, 'corridor.docking_radius_m', 'be positive',
-                self.docking_radius_m)
+    half_angle_deg: float = param(
+        3.0, 'Half angle of the corridor cone [deg].', above=0.0, below=90.0)
+    docking_radius_m: float = param(
+        0.3, 'Radius of the corridor at the docking plane x = 0 [m].', above=0.0)
 
     @cached_property
     def alpha(self) -> float:
@@ -55,9 +50,8 @@ def signed_distance(position: ArrayLike, corridor: Cone) -> Array:
     """
     Return the distance to the wall [m], positive inside (eq. 13 with its sign).
 
-    `position` is (..., 3), the result (...). It is the distance to the cone as far as that
-    reaches, also a little past the docking plane; in the shadow of the apex, where no run
-    gets, it is a lower bound.
+    `position` is (..., 3), the result (...). The cone extends past the docking plane to its
+    apex. In the shadow of the apex, which no run reaches, the result is a lower bound.
     """
     x, y, z = _components(position)
     return distance_at(x, np.sqrt(y*y + z*z), corridor)
@@ -76,9 +70,9 @@ def unsigned_distance(position: ArrayLike, corridor: Cone) -> Array:
 
 def outward_normal(position: ArrayLike, corridor: Cone) -> Array:
     """
-    Return the unit vector (..., 3) from `position` (..., 3) inside towards the nearest wall.
+    Return the outward unit normal (..., 3) of the wall point nearest to `position` (..., 3).
 
-    On the axis (rho = 0) the nearest wall is a circle and the lateral part is zero.
+    On the axis (rho = 0) that point could be anywhere on a circle; the lateral part is then zero.
     """
     x, y, z = _components(position)
     rho = np.sqrt(y*y + z*z)
@@ -91,7 +85,7 @@ def nearest_point(position: ArrayLike, corridor: Cone) -> Array:
     """
     Return the point q (..., 3) of the wall nearest to `position` (..., 3): q = p + D n.
 
-    Near the docking plane it may lie up to d sin(alpha) cos(alpha) past it. On the axis it
+    Near the docking plane q may lie up to d sin(alpha) cos(alpha) past it. On the axis it
     is the station of the nearest circle, x + D sin(alpha), with no lateral part.
     """
     position = np.asarray(position, dtype=float)
@@ -102,7 +96,7 @@ def nearest_point(position: ArrayLike, corridor: Cone) -> Array:
 def ray_nearest_point(position: ArrayLike, corridor: Cone,
                       printed: bool = False) -> Array:
     """
-    Return the same point q (..., 3) by the ray from the apex (eq. 14-16, corrected).
+    Return q (..., 3) as `nearest_point`, from the ray through the apex (eq. 14-16, corrected).
 
     With `printed` eq. 14 and 15 are taken as they stand, with the distance where x_p is
     meant and without the factor j of the first term: wrong by metres, for study only.
@@ -124,7 +118,7 @@ def ray_nearest_point(position: ArrayLike, corridor: Cone,
 
 def drift_rate(offset: ArrayLike, n: float, rate: float = 0.25) -> Array:
     """
-    Return the lateral rate [m/s] that free drift has at `offset` [m] from the axis (eq. 20).
+    Return the lateral rate [m/s] of a free drift at `offset` [m] from the axis (eq. 20).
 
     The drift starts on the axis with closing rate `rate` [m/s] in an orbit of rate `n`
     [rad/s]. It never gets beyond 4 rate / n; there, and at the axis, the rate is 0.
@@ -139,7 +133,7 @@ def control_boundary(x: ArrayLike, corridor: Cone, n: float, rate: float = 0.25,
     """
     Return the radius [m] of the control boundary at stations `x` [m] (eq. 21-24, corrected).
 
-    Whoever drifts outside it can reach the wall before a command sent now acts.
+    A chaser that drifts outside it can reach the wall before a command sent now acts.
 
     Parameters
     ----------

@@ -6,9 +6,9 @@ Payloads of the space link: fixed little-endian structures that end in a CRC-32.
     downlink   version u8, key u16, session u64, sequence u64, generated i64 ns, kind u8,
                state n x f64, accepted sequence u64, refusal u8, CRC u32; 89 bytes for n = 6
 
-`unpack_*` checks the length, then the checksum, and only then parses; no bytes whatever make
-it raise. CRC-32 finds every burst of up to 32 flipped bits (bits numbered from the least
-significant of each byte). It does not keep out a stranger: that takes keys, and key 0 says
+`unpack_*` checks the length, then the checksum, and only then parses; it does not raise for any
+bytes. CRC-32 detects every burst of up to 32 flipped bits (bits numbered from the least
+significant of each byte). It does not keep a stranger out: that takes keys, and key 0 says
 that there are none.
 """
 
@@ -25,7 +25,7 @@ from rvd_dynamics.commands.levels import LevelForm
 from rvd_dynamics.diagram.params import require
 
 VERSION = 1
-KEY = 0                         # no key yet: a CRC stands where a signature will
+KEY = 0                         # no key yet: a CRC takes the place of a signature
 SESSION = 0                     # no sessions yet
 STATE = 0                       # kind of a downlink: a measured relative state
 
@@ -35,7 +35,7 @@ THREE_LEVELS = LevelForm()
 
 
 class Refusal(IntEnum):
-    """Why a frame was refused; a few of the REASON codes."""
+    """Why a frame was refused; a subset of the REASON codes."""
 
     LENGTH = codes.REASON_LENGTH
     CHECKSUM = codes.REASON_CHECKSUM

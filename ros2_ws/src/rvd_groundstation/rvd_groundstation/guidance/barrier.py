@@ -4,20 +4,20 @@ Predictive barrier: the level nearest to the pilot's from which the chaser can s
 Frame   target orbital (+x along track, +y radially outward, +z completes the triad).
 State   (x, y, z, vx, vy, vz) [m, m/s] on the last axis; leading axes are batch axes. Inside,
         components come first, and the levels -3..3 lie on an axis before them: (7, 2, n).
-Method  Ours; the paper has nothing like it. y and z each by itself: for each level one sample
-        under it, then a coast, then a brake until rest or docking. Where that ends outside
-        `margin_fraction` of the wall, the level violates by so much. The level of least
-        violation is wanted, among equals the one nearest to the pilot's. Several coasts are
-        tried and the worst counts: the cone closes, so a chaser at rest still meets the wall.
-Sharing the wanted level is the command that shall come out. A blend (eq. 25) would bend it, so
-        the law hands over the automatic level whose blend comes nearest.
-Limits  two axes in the square inside the circle; no bound on the error of the prediction.
-        docs/models/barrier.md has the derivation, what was measured and the physical ceiling.
+Method  Ours; the paper has nothing like it. y and z are treated separately: for each level one
+        step under it, then a coast, then braking until rest or docking. The distance by which
+        that ends outside `margin_fraction` of the wall radius is the level's violation. The
+        level with the least violation is wanted, among equals the one nearest to the pilot's.
+        Several coasts are tried and the worst counts: the cone narrows, so even a chaser at
+        rest meets the wall.
+Sharing the wanted level is the command that should come out. A blend (eq. 25) would change it,
+        so the law returns the automatic level whose blend comes nearest.
+Limits  y and z are kept in the square inside the circle; no bound on the prediction error.
+        docs/models/barrier.md has the derivation, the measurements and the physical ceiling.
 """
 
-from dataclasses import dataclass
 from functools import cached_property
-from math import inf, sqrt
+from math import sqrt
 from typing import ClassVar, NamedTuple
 
 import numpy as np
@@ -25,7 +25,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rvd_dynamics.geometry.cone import Cone, radius
 from rvd_dynamics.motion.orbit import OrbitParams
-from rvd_dynamics.diagram.params import param, require, wiring
+from rvd_dynamics.diagram.params import param, require, settings, wiring
 from rvd_dynamics.diagram.run import Run
 from rvd_dynamics.commands.levels import HIGHEST, LevelForm
 from rvd_groundstation.operators.operation import Operation
@@ -36,13 +36,13 @@ Levels = NDArray[np.int8]
 
 LEVELS = np.arange(-HIGHEST, HIGHEST + 1, dtype=np.int8)
 COUPLINGS = ('closing_rate', 'all', 'none')
-SLOWEST_M_S = 0.05              # [m/s] slower closing is taken as this: the end must come
+SLOWEST_M_S = 0.05              # [m/s] least closing rate assumed, so that the approach ends
 VIOLATION_WEIGHT = 1000.0       # [m/s^2 per m] a tenth of a millimetre outweighs any thrust
-THRUST_WEIGHT = 1e-4            # of equals the level with less thrust
+THRUST_WEIGHT = 1e-4            # among equals, prefer the level with less thrust
 
 
 class Ahead(NamedTuple):
-    """What both lateral axes share: components first."""
+    """The approach ahead, which both lateral axes share; components first."""
 
     x: Array                    # (n,)   station [m]
     closing: Array              # (n,)   rate along x, not below SLOWEST_M_S [m/s]
@@ -50,9 +50,9 @@ class Ahead(NamedTuple):
     drift: Array                # (2, n) acceleration by orbital coupling [m/s^2]
 
 
-@dataclass(frozen=True)
+@settings
 class Barrier:
-    """Least change of the pilot's command that keeps a way to stop inside the corridor."""
+    """Least change of the pilot's command that leaves a way to stop inside the corridor."""
 
     run: Run = wiring()
     cone: Cone = wiring()
@@ -62,28 +62,25 @@ class Barrier:
     operation: Operation = wiring()
     uses_stick: ClassVar[bool] = True
 
-    coasts_s: tuple = param((0.0, 8.0), 'Coasts before the brake, the worst counts [s].')
-    brake_level: int = param(1, 'Lateral level of the brake that is kept in reserve, 1 to 3.')
-    margin_fraction: float = param(0.75, 'Share of the corridor radius that may be used.')
-    coupling: str = param('closing_rate', 'Orbital terms on y and z: closing_rate, the Coriolis '
-                          'term on y; all, the tidal terms too; none.')
+    coasts_s: tuple = param(
+        (0.0, 8.0), 'Coasts assumed before the brake, of which the worst counts [s].', low=0.0)
+    brake_level: int = param(
+        1, 'Lateral level that is kept in reserve for the brake.', low=1, high=3)
+    margin_fraction: float = param(
+        0.75, 'Lateral offset that may be used, as a fraction of the corridor radius.',
+        above=0.0, high=1.0)
+    coupling: str = param(
+        'closing_rate', 'Orbital terms on y and z: closing_rate is the Coriolis term on y, all '
+        'adds the tidal terms, none leaves both out.', choices=COUPLINGS)
     keep_closing_m_s: tuple = param(
-        (0.18, 0.28), 'The pilot may not thrust out of these closing rates [m/s].')
+        (0.18, 0.28), 'Lowest and highest closing rate to which the pilot may thrust [m/s].',
+        length=2, rising=True)
     force_closing_m_s: tuple = param(
-        (0.15, 0.285), 'Beyond these closing rates level 1 brings it back [m/s].')
+        (0.15, 0.285), 'Closing rates below and above which level 1 corrects the rate [m/s].',
+        length=2, rising=True)
 
     def __post_init__(self) -> None:
-        require(len(self.coasts_s) > 0 and all(0.0 <= t < inf for t in self.coasts_s),
-                'coasts_s', 'be numbers, none negative', list(self.coasts_s))
-        require(self.brake_level in (1, 2, 3), 'brake_level', 'be 1, 2 or 3', self.brake_level)
-        require(0.0 < self.margin_fraction <= 1.0, 'margin_fraction', 'be above 0, at most 1',
-                self.margin_fraction)
-        require(self.coupling in COUPLINGS, 'coupling', f'be one of {", ".join(COUPLINGS)}',
-                self.coupling)
-        for name in ('keep_closing_m_s', 'force_closing_m_s'):
-            value = getattr(self, name)
-            require(len(value) == 2 and -inf < value[0] < value[1] < inf, name,
-                    'be two rising numbers', list(value))
+        require(len(self.coasts_s) > 0, 'coasts_s', 'be one number or more', list(self.coasts_s))
 
     def wanted(self, prediction: ArrayLike, stick: ArrayLike | None) -> Array:
         """
@@ -196,7 +193,7 @@ class Barrier:
 
     @cached_property
     def _reluctance(self) -> Array:
-        """What a level costs that violates nothing: `[level, pilot's level]` (7, 7) [m/s^2]."""
+        """Cost of a level that violates nothing: `[level, pilot's level]` (7, 7) [m/s^2]."""
         a = self._lateral
         return np.abs(a[:, None] - a) + THRUST_WEIGHT*np.abs(a)[:, None]
 

@@ -2,15 +2,15 @@
 No guidance: the automatic controller never thrusts, as in condition 1 of the paper.
 """
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rvd_dynamics.diagram.params import settings
 
 
-@dataclass(frozen=True)
+@settings
 class NoLaw:
     """Wants nothing, ever."""
 

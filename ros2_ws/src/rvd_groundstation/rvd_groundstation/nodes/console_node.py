@@ -12,9 +12,10 @@ from sensor_msgs.msg import Joy
 from std_msgs.msg import Bool
 
 from rvd_dynamics.link.frame import Downlink, unpack_downlink
+from rvd_dynamics.diagram.judge import for_page, from_message
 from rvd_dynamics.diagram.ros.conversions import header_at, ns_of, state_from_msg
 from rvd_dynamics.diagram.ros.node import WatchNode
-from rvd_dynamics.commands.levels import stick_levels
+from rvd_dynamics.commands.levels import stick_axes, stick_levels
 from rvd_groundstation.console.hub import Hub
 from rvd_groundstation.console.protocol import Stick
 from rvd_interfaces.msg import (
@@ -124,10 +125,7 @@ class ConsoleNode(WatchNode):
 
     def _on_verdict(self, v: Verdict) -> None:
         if v.final:                             # before, it would be truth
-            self._hub.post('final', {
-                'success': v.success, 'reason': v.reason, 'duration': v.duration,
-                'closing': v.x_rate, 'offset': v.offset, 'lateral': v.lateral_rate,
-                'margin': v.min_corridor_margin, 'exit': v.exit_time, 'delta_v': v.delta_v})
+            self._hub.post('final', for_page(from_message(v)))
             self.finish()
 
     def on_end(self) -> None:
@@ -140,14 +138,8 @@ class ConsoleNode(WatchNode):
     def joy(self, stick: Stick) -> list[int]:
         """Publish a stick sample as Joy; return the levels it means."""
         s = self.mission.stick
-        axes = [0.0] * (1 + max(s.axis_x, s.axis_y, s.axis_z))
-        axes[s.axis_x] = s.sign_x * stick.deflection[0]
-        axes[s.axis_y] = s.sign_y * stick.deflection[1]
-        axes[s.axis_z] = s.sign_z * stick.deflection[2]
-        buttons = [0] * (s.deadman_button + 1)
-        if buttons:
-            buttons[-1] = int(stick.held)
-        elif not stick.held:                    # no dead-man button to open: say nothing
+        axes, buttons = stick_axes(stick.deflection, stick.held, s)
+        if not buttons and not stick.held:      # no dead-man button to open: say nothing
             return [0, 0, 0]
         with self._gate:
             if not self._left and (self._stamp_ns >= 0 or not stick.held):

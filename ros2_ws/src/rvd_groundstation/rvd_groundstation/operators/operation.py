@@ -2,9 +2,7 @@
 Who flies and who decides: the settings that operators and sharing have in common.
 """
 
-from dataclasses import dataclass
-
-from rvd_dynamics.diagram.params import param, require
+from rvd_dynamics.diagram.params import param, settings
 from rvd_dynamics.diagram.run import Run
 
 MODES = ('manual', 'shared', 'auto')
@@ -12,20 +10,19 @@ OPERATORS = ('model', 'replay', 'console', 'joy', 'none')
 JOY_INPUTS = ('stepped', 'held')
 
 
-@dataclass(frozen=True)
+@settings
 class Operation:
     """Mode, operator, and how a stick is read."""
 
-    mode: str = param('shared', 'Who decides: manual, the operator; auto, the law; shared, both.')
-    operator: str = param('model', 'Operator: model, a pilot model; replay, a tape; console, the '
-                          'browser; joy, a joystick node; none.')
-    joy_input: str = param('stepped', 'How the stick is read: stepped, one Joy for each step; '
-                           'held, the newest Joy of the last half second.')
-
-    def __post_init__(self) -> None:
-        for name, allowed in (('mode', MODES), ('operator', OPERATORS), ('joy_input', JOY_INPUTS)):
-            require(getattr(self, name) in allowed, name, f'be one of {", ".join(allowed)}',
-                    getattr(self, name))
+    mode: str = param(
+        'shared', 'Who decides: manual is the operator, auto is the law, shared is both.',
+        choices=MODES)
+    operator: str = param(
+        'model', 'Who flies: model is a pilot model, replay a tape, console the browser, joy a '
+        'joystick node, none nobody.', choices=OPERATORS)
+    joy_input: str = param(
+        'stepped', 'How the stick is read: stepped takes one Joy for each step, held the newest '
+        'Joy of the last half second.', choices=JOY_INPUTS)
 
     @property
     def stepped(self) -> bool:

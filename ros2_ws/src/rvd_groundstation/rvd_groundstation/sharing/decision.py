@@ -1,10 +1,10 @@
 """
-Who decides: the mode, the sharing and the validity of both inputs make one command.
+Who decides: mode, sharing and the validity of both inputs determine one command.
 
 manual  the pilot's levels; an invalid stick is level 0.
-shared  both valid, a neutral stick too: the sharing. Stick invalid or no pilot: the automatic
-        levels themselves (eta = 0), because a zeroed stick would leave them at level 1.
-        Automatic command invalid: it counts as level 0.
+shared  both valid, even if the stick is neutral: the sharing. Stick invalid or no pilot: the
+        automatic levels themselves (eta = 0), because blended with a zeroed stick they would
+        come out as level 1 at most. Automatic command invalid: it counts as level 0.
 auto    the automatic levels themselves; invalid is level 0.
 
 A command with a level outside -3..3 or not whole is invalid as a whole, whatever its flag says.
@@ -35,14 +35,14 @@ class Sharing(Protocol):
         """Weight of the pilot 0..1; NaN where nothing is weighted."""
 
     def share(self, pilot: ArrayLike, auto: ArrayLike) -> NDArray[np.int8]:
-        """Make one command of two, shapes (..., 3)."""
+        """Combine two commands into one, shapes (..., 3)."""
 
 
 class Decision(NamedTuple):
-    """A command and where it comes from; one entry per row of the batch."""
+    """A command and its origin; one entry per row of the batch."""
 
     levels: NDArray[np.int8]            # (..., 3) -3..3 along x, y, z; 0 when not valid
-    valid: NDArray[np.bool_]            # (...)    false: no input had anything to say
+    valid: NDArray[np.bool_]            # (...)    false: no input was valid
     decided_by: NDArray[np.uint8]       # (...)    BY_*
     pilot_weight: NDArray[np.float64]   # (...)    0..1; NaN when nothing was blended
     reason: NDArray[np.uint8]           # (...)    REASON_*
@@ -58,7 +58,7 @@ def decide(mode: str, sharing: Sharing, pilot: ArrayLike, pilot_valid: ArrayLike
     mode : str
         manual, shared or auto.
     sharing : Sharing
-        An entry of `SHARING`; asked in mode shared only.
+        An entry of `SHARING`; used in mode shared only.
     pilot, auto : array_like, shape (..., 3)
         Levels.
     pilot_valid, auto_valid : array_like of bool, shape (...)
@@ -84,7 +84,7 @@ def decide(mode: str, sharing: Sharing, pilot: ArrayLike, pilot_valid: ArrayLike
 
 
 def usable(levels: ArrayLike, valid: ArrayLike) -> tuple[NDArray[np.int8], NDArray[np.bool_]]:
-    """Return levels as int8, 0 where invalid, and the rows that are valid and whole -3..3."""
+    """Return levels as int8, 0 where invalid, and which rows are valid: whole and -3..3."""
     levels = np.asarray(levels)
     whole = (levels >= -3) & (levels <= 3)              # NaN compares false
     if levels.dtype.kind == 'f':
@@ -94,7 +94,7 @@ def usable(levels: ArrayLike, valid: ArrayLike) -> tuple[NDArray[np.int8], NDArr
 
 
 def _alone(levels: NDArray, valid: NDArray, by: np.uint8, reason_invalid: np.uint8) -> Decision:
-    """Pass one source on, by the mode."""
+    """Pass one source on, as the mode says."""
     return Decision(levels, valid, np.where(valid, by, NOBODY), np.full(valid.shape, np.nan),
                     np.where(valid, MODE, reason_invalid))
 
@@ -103,7 +103,7 @@ def _shared(sharing: Sharing, pilot: NDArray, pilot_valid: NDArray, auto: NDArra
             auto_valid: NDArray) -> Decision:
     levels = np.where(pilot_valid[..., None], sharing.share(pilot, auto), auto)
     by_both: NDArray | np.uint8 = BLEND
-    if isnan(sharing.pilot_weight):                     # a filter: did it let the pilot pass?
+    if isnan(sharing.pilot_weight):                     # a filter: did the pilot's levels pass?
         same = levels == pilot
         by_both = np.where(same[..., 0] & same[..., 1] & same[..., 2], PILOT, AUTO)
     decided_by = np.where(pilot_valid, by_both, np.where(auto_valid, AUTO, NOBODY))

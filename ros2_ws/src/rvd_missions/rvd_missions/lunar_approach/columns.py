@@ -36,11 +36,14 @@ class Columns:
 
     def table(self, judge: Any, end_step: NDArray[np.int64]) -> dict[str, NDArray]:
         """Return the columns of N runs."""
-        v, end = judge.verdict(), judge.terminal
-        left = ~np.isnan(v.exit_time)
-        place = np.where(left[:, None], v.exit_position, end[:, :3])
-        place = np.where(v.success[:, None], np.nan, place)
-        failed_at = np.where(v.success, np.nan, np.where(left, v.exit_time, v.duration))
+        verdict, end = judge.verdict(), judge.terminal
+        exit_time = verdict.values['exit_time_s']
+        exit_position = np.stack([verdict.values[f'exit_{axis}_m'] for axis in 'xyz'], axis=-1)
+        left = ~np.isnan(exit_time)
+        place = np.where(left[:, None], exit_position, end[:, :3])
+        place = np.where(verdict.success[:, None], np.nan, place)
+        failed_at = np.where(verdict.success, np.nan,
+                             np.where(left, exit_time, verdict.duration))
         values = (failed_at, *place.T, end[:, 1], end[:, 2], end[:, 4], end[:, 5], end_step,
                   *self._decided, self._changed)
         return {name: np.asarray(value, dtype=kind)

@@ -3,17 +3,18 @@ When an approach ends: said once, for the plant and for the judge.
 """
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 
-def ended(k: int, state: NDArray, last_step: int) -> NDArray[np.bool_]:
+def ended(step: int, state: ArrayLike, last_step: int) -> NDArray[np.bool_]:
     """
-    Say of states (..., 6) of step k whether the run ends here, (...).
+    Return which runs end with this step, from the states (..., 6) alone; shape (...).
 
-    At the docking plane x = 0 or past it, at the time limit, or where the state is not finite.
-    Leaving the corridor does not end a run.
+    A run ends where the chaser has reached the docking plane x = 0, at the time limit, or where
+    the truth is no longer finite. Leaving the corridor does not end a run. The judge's own
+    `Judge.ended` remembers, and also knows of a plane that was reached and left between samples.
     """
-    over = (state[..., 0] >= 0.0) | (k >= last_step)
-    if not np.isfinite(state).all():
-        over = over | ~np.isfinite(state).all(axis=-1)
-    return over
+    state = np.asarray(state)
+    over = ~(state[..., 0] < 0.0) | (step >= last_step)
+    finite = np.isfinite(state)
+    return over if finite.all() else over | ~finite.all(axis=-1)

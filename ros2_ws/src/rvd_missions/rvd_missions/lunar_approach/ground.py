@@ -5,7 +5,6 @@ The ground segment of the approach: predictor, operators, law and blender as blo
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rvd_dynamics.commands.codes import BY_PILOT, KIND_ABORT, KIND_THRUST, REASON_ABORT
 from rvd_dynamics.commands.levels import LevelForm, stick_levels, StickParams, ThrustParams

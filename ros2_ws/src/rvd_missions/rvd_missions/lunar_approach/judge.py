@@ -8,15 +8,17 @@ Source  Zhang, Li, Tang 2014, section 3.2: success means (i) inside the corridor
         lateral rate below 0.3 m/s.
 """
 
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rvd_dynamics.diagram.judge import Measure, Verdict
 from rvd_dynamics.diagram.run import Run
 from rvd_dynamics.geometry import arc
 from rvd_dynamics.geometry.cone import Cone
 from rvd_dynamics.geometry.excursion import Excursion
+from rvd_missions.lunar_approach.end import ended
 from rvd_missions.lunar_approach.settings import DockingParams
 
 # Of several reasons the lowest number is given.
@@ -24,25 +26,6 @@ from rvd_missions.lunar_approach.settings import DockingParams
  TIMEOUT) = range(8)
 REASONS = np.array(['', 'docked', 'invalid', 'left_corridor', 'closing_rate', 'offset',
                     'lateral_rate', 'timeout'])
-
-
-class Verdict(NamedTuple):
-    """
-    Judgement of runs, each field of the batch's shape (plain numbers for a single run).
-
-    The fields are those of `rvd_interfaces/Verdict`.
-    """
-
-    success: Any                # [bool]  every criterion held
-    reason: Any                 # [text]  one of REASONS; empty while the run goes on
-    duration: Any               # [s]     from start to docking plane or end, or so far
-    x_rate: Any                 # [m/s]   closing rate at x = 0; NaN before
-    offset: Any                 # [m]     lateral offset at x = 0; NaN before
-    lateral_rate: Any           # [m/s]   lateral rate at x = 0; NaN before
-    min_corridor_margin: Any    # [m]     least signed distance to the corridor wall
-    exit_time: Any              # [s]     when the corridor was first left; NaN when never
-    exit_position: NDArray      # [m]     (..., 3), where; NaN when never
-    delta_v: Any                # [m/s]   thrust executed, summed over the axes
 
 
 class Judge:
@@ -53,8 +36,31 @@ class Judge:
     influence each other; a row that has ended (`ended`) keeps its judgement whatever comes.
     """
 
+    reasons = {
+        'docked': 'docked',
+        'left_corridor': 'left the corridor',
+        'closing_rate': 'closing rate out of limits at the docking plane',
+        'offset': 'lateral offset out of limits at the docking plane',
+        'lateral_rate': 'lateral rate out of limits at the docking plane',
+        'timeout': 'did not reach the docking plane in time',
+        'invalid': 'the true state became invalid',
+    }
+
     def __init__(self, run: Run, cone: Cone, docking: DockingParams,
                  batch: tuple[int, ...] = ()) -> None:
+        self.measures = (
+            Measure('x_rate_m_s', 'm/s', 'closing rate at docking', 0.0,
+                    docking.max_closing_rate_m_s, digits=4),
+            Measure('offset_m', 'm', 'lateral offset at docking',
+                    high=cone.docking_radius_m, digits=4),
+            Measure('lateral_rate_m_s', 'm/s', 'lateral rate at docking',
+                    high=docking.max_lateral_rate_m_s, digits=4),
+            Measure('min_corridor_margin_m', 'm', 'least corridor margin', low=0.0),
+            Measure('delta_v_m_s', 'm/s', 'delta-v'),      # executed, summed over the axes
+            Measure('exit_time_s', 's', 'left the corridor at', digits=1),
+            Measure('exit_x_m', 'm', 'x at the exit', digits=2),
+            Measure('exit_y_m', 'm', 'y at the exit', digits=2),
+            Measure('exit_z_m', 'm', 'z at the exit', digits=2))
         self._step_s, self._last_step = run.step_s, run.last_step
         self._cone, self._docking_limits = cone, docking
         self._batch = batch
@@ -90,8 +96,7 @@ class Judge:
         """Take the state (..., 6) of step 0; one that is not before the plane is invalid."""
         self._state = self._columns(state, 6)
         self._step = 0
-        known = np.isfinite(self._state).all(axis=0) & (self._state[0] < 0.0)
-        self._end(~known, INVALID, 0)
+        self._end(ended(0, self._state.T, self._last_step), INVALID, 0)
         self._excursion.start(self._state[:3], self._live)
 
     def advance(self, step: int, state: ArrayLike, accel: ArrayLike) -> None:
@@ -122,8 +127,9 @@ class Judge:
                out=self._delta_v, where=self._live)
         if docked.any():
             self._judge_docking(points, docked, flown)
-        if step >= self._last_step:
-            self._end(self._live.copy(), TIMEOUT, step)
+        late = self._live & ended(step, self._state.T, self._last_step)
+        if late.any():                          # every other end has been closed above
+            self._end(late, TIMEOUT, step)
 
     def verdict(self, final: bool = False) -> Verdict:
         """Return the judgement so far; with `final` a run still under way has timed out."""
@@ -132,10 +138,16 @@ class Judge:
         judged = (reason != UNDER_WAY) & (reason != INVALID)
         reason[judged & ~np.isnan(exit_time)] = LEFT_CORRIDOR       # it came first
         duration = np.where(self._live, max(self._step, 0)*self._step_s, self._end_time)
-        fields = (reason == DOCKED, REASONS[reason], duration, self._x_rate, self._offset,
-                  self._lateral_rate, margin, exit_time, exit_position.T, self._delta_v)
-        shaped = (field.reshape(self._batch + field.shape[1:]).copy() for field in fields)
-        return Verdict(*(field if field.ndim else field.item() for field in shaped))
+        values = (self._x_rate, self._offset, self._lateral_rate, margin, self._delta_v,
+                  exit_time, *exit_position)
+        return Verdict(
+            self._shaped(reason == DOCKED), self._shaped(REASONS[reason]), self._shaped(duration),
+            {m.name: self._shaped(v) for m, v in zip(self.measures, values, strict=True)})
+
+    def _shaped(self, field: NDArray) -> Any:
+        """Return a private copy of a field (N,) in the batch's shape; of a single run a number."""
+        field = field.reshape(self._batch).copy()
+        return field if field.ndim else field.item()
 
     def _docking(self, points: arc.Array) -> tuple[NDArray[np.bool_], arc.Array]:
         """Return which live runs reach x = 0 on this arc, and the fraction that each flies."""

@@ -4,10 +4,8 @@ Settings of the approach that belong to no single block, and what is made of the
 Source  Zhang, Li, Tang, J. Astronautics 35(3), 2014, section 3.1.
 """
 
-from dataclasses import dataclass
-
 from rvd_dynamics.commands.levels import LevelForm, ThrustParams
-from rvd_dynamics.diagram.params import param, require
+from rvd_dynamics.diagram.params import param, require, settings
 from rvd_dynamics.diagram.run import LegParams, Legs, Run
 from rvd_dynamics.motion.orbit import StartParams
 from rvd_groundstation.operators.operation import checked, Operation
@@ -15,19 +13,14 @@ from rvd_groundstation.operators.operation import checked, Operation
 SHORTEST_STEP_S, LONGEST_STEP_S = 0.05, 1.0
 
 
-@dataclass(frozen=True)
+@settings
 class DockingParams:
     """Limits at the docking plane (section 3.1 of the paper)."""
 
     max_closing_rate_m_s: float = param(
-        0.3, 'Closing rate at the docking plane must be below this [m/s].')
+        0.3, 'Closing rate that must not be reached at the docking plane [m/s].', above=0.0)
     max_lateral_rate_m_s: float = param(
-        0.3, 'Lateral rate at the docking plane must be below this [m/s].')
-
-    def __post_init__(self) -> None:
-        for name in ('max_closing_rate_m_s', 'max_lateral_rate_m_s'):
-            require(getattr(self, name) > 0.0, f'docking.{name}', 'be positive',
-                    getattr(self, name))
+        0.3, 'Lateral rate that must not be reached at the docking plane [m/s].', above=0.0)
 
 
 def legs(leg_params: LegParams, run: Run) -> Legs:

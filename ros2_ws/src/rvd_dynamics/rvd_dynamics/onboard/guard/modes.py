@@ -8,7 +8,6 @@ abort       from the first ABORT received, for the rest of the run: brake and ba
 It is the only writer of thrust. Shapes: commands (..., n), masks and codes (...).
 """
 
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -17,19 +16,16 @@ from numpy.typing import NDArray
 from rvd_dynamics.commands.codes import KIND_ABORT, KIND_THRUST
 from rvd_dynamics.commands.form import CommandForm
 from rvd_dynamics.constants import NS_PER_S
-from rvd_dynamics.diagram.params import param, require
+from rvd_dynamics.diagram.params import param, settings
 
 
-@dataclass(frozen=True)
+@settings
 class GuardParams:
     """Settings of the guard."""
 
     abort_burn_s: float = param(
-        16.0, 'Time for which an ABORT thrusts along -x at full level before it coasts [s].')
-
-    def __post_init__(self) -> None:
-        require(0.0 <= self.abort_burn_s <= 3600.0, 'abort_burn_s', 'be between 0 and 3600',
-                self.abort_burn_s)
+        16.0, 'Time for which an ABORT thrusts along -x at full level before it coasts [s].',
+        low=0.0, high=3600.0)
 
 
 class Thrust(NamedTuple):

@@ -1,7 +1,8 @@
 """
-ROS shell of the bag writer: every topic of the run, as it came, into a rosbag2 MCAP bag.
+The bag writer as a node: every topic of the run, as it came, into a rosbag2 MCAP bag.
 
-Watches     every topic of the graph, and once a second whatever else has appeared
+Reads       every topic of the run, and once a second whatever else has appeared; what nodes of
+            the same process write passes by hand, serialised
 Publishes   /run/recorded_step      std_msgs/UInt64, every 16 steps: in lock step the dynamics
             do not run further ahead of it than they must
 Parameters  the fields of RecorderParams
@@ -12,13 +13,10 @@ that never came, and messages that the disk did not take, are counted per topic 
 stored as metadata records `rvd_missing` and `rvd_lost`.
 """
 
-import importlib
-import struct
 import time
 from pathlib import Path
 from typing import Callable
 
-from rclpy.event_handler import SubscriptionEventCallbacks
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from std_msgs.msg import UInt64
 
@@ -27,13 +25,14 @@ from rvd_dynamics.recording.bag_writer import BagWriter
 from rvd_dynamics.recording.params import RecorderParams
 from rvd_dynamics.recording.rosbag2 import qos_words
 from rvd_dynamics.recording.steps import StepLedger, step_reader
-from rvd_dynamics.diagram.ros import graph, qos
-from rvd_dynamics.diagram.ros.node import WatchNode
-from rvd_dynamics.diagram.ros.run import run
+from rvd_dynamics.diagram.ros import qos
+from rvd_dynamics.diagram.ros.host import Host, message_type
+from rvd_dynamics.diagram.ros.node import RunNode
+from rvd_dynamics.diagram.roster import COMMON, MONITOR, RECORDER
 
 RECORDED_STEP = '/run/recorded_step'
 NOT_RECORDED = (RECORDED_STEP, '/parameter_events')     # our own, and what no run changes
-SCENARIO, TRUTH, VERDICT = '/run/scenario', '/truth/relative_state', '/run/verdict'
+SCENARIO, VERDICT = '/run/scenario', '/run/verdict'
 REPORT_EVERY = 16               # [steps]
 LOOK_PERIOD_S = 1.0             # [s] wall time between two looks for new topics
 DRAIN_PERIOD_S = 0.1            # [s] wall time between two looks whether all has come
@@ -50,28 +49,34 @@ def worth(topic: str) -> int:
     return 2 if topic.startswith('/run/') else int(topic in COMMANDS)
 
 
-class BagRecorder(WatchNode):
+class BagRecorder(RunNode):
     """The recorder as a node."""
 
-    def __init__(self) -> None:
-        super().__init__('bag_recorder')
-        self._bag = self._open(self.settings(RecorderParams).bag_dir)
+    def __init__(self, host: Host) -> None:
+        super().__init__(host, RECORDER)
+        settings: RecorderParams = self.scenario.settings(RECORDER)
+        self._bag = self._open(settings.bag_dir)
+        self._truth = self.roster.diagram.truth.name
         self._ledger = StepLedger()
         self._early: list[tuple] | None = []    # kept until the scenario has gone first
         self._heard = time.monotonic()          # a message that one of the nodes owed
         self._complete: float | None = None     # since when the last step is here
         self._judged_step = -1
+        self._recorded: set[str] = set()
         self._unknown: set[str] = set()         # topics of types that are not installed
         self._complained = False
         self._steps = self.writer(RECORDED_STEP, UInt64)
         for topic in self._owed():
             self._ledger.expect(topic)
+
+    def connect(self) -> None:
+        """Listen to every topic of the run."""
         # The executor looks in the order of creation: the scenario before what came with it.
-        for topic, kind in sorted(graph.TOPICS.items(), key=lambda item: item[0] != SCENARIO):
+        for topic, kind in sorted(self.roster.topics.items(), key=lambda i: i[0] != SCENARIO):
             if topic not in NOT_RECORDED:
-                self._record(topic, kind, qos.of(topic, self.mission.joy_input))
+                self._record(topic, kind, self.quality(topic))
         self._bag.describe()
-        self.create_timer(LOOK_PERIOD_S, self._look_for_topics)
+        self.create_timer(LOOK_PERIOD_S, self.guarded(self._look_for_topics))
 
     @staticmethod
     def _open(directory: str) -> BagWriter:
@@ -83,10 +88,7 @@ class BagRecorder(WatchNode):
 
     def _owed(self) -> list[str]:
         """Return the topics that the nodes of this run write once per step."""
-        mission = self.mission
-        specs = [graph.spec_of(name, mission.operator, mission.joy_input)
-                 for name in self._names if name in graph.NODES]
-        return [topic for spec in specs for topic in spec.emits]
+        return [topic for name in self.roster.names for topic in self.roster.emits(name)]
 
     # -- topics ---------------------------------------------------------------------------
 
@@ -94,47 +96,48 @@ class BagRecorder(WatchNode):
         reliable = offered.reliability == ReliabilityPolicy.RELIABLE
         latched = offered.durability == DurabilityPolicy.TRANSIENT_LOCAL
         self._bag.add_topic(topic, kind, qos_words(offered.depth, reliable, latched))
+        self._recorded.add(topic)
+        store = self._writer_of(topic, kind)
+        if topic not in COMMON and self.host.is_local(topic):
+            self.host.keep(topic, lambda step, data: store(data, step, time.time_ns(), 0))
+            return
         deep = QoSProfile(depth=qos.DEPTH, reliability=offered.reliability,
                           durability=offered.durability)
-        events = SubscriptionEventCallbacks(use_default_callbacks=False) if self._lean else None
-        package, folder, name = kind.split('/')
-        self._subscriptions_of[topic] = self.create_subscription(
-            getattr(importlib.import_module(f'{package}.{folder}'), name), topic,
-            self._writer_of(topic, kind), deep, raw=True, event_callbacks=events)
+        read_step = step_reader(kind, self.run.step_ns)
+
+        def came(data: bytes, info: dict) -> None:
+            step = self.step if read_step is None else read_step(data)
+            store(data, step, info['source_timestamp'], info['publication_sequence_number'] or 0)
+            if topic == self._truth:
+                self.rest(info)
+        self.watch_raw(topic, message_type(kind), came, deep)
 
     def _writer_of(self, topic: str, kind: str) -> Callable:
-        """Return the callback that stores the messages of one topic."""
-        read_step = step_reader(kind, self.mission.step_ns)
-        owed = topic in self._ledger.last
-        step_ns = self.mission.step_ns
+        """Return what stores the messages of one topic."""
+        stepped = step_reader(kind, self.run.step_ns) is not None
+        owed, step_ns = topic in self._ledger.last, self.run.step_ns
 
-        def store(data: bytes, info: dict) -> None:
-            try:
-                step = self.step if read_step is None else read_step(data)
-                self.step = max(self.step, step)
-                self._store(topic, data, max(step, 0) * step_ns, info, read_step is not None)
-                if owed:
-                    self._heard = time.monotonic()
-                    self._ledger.saw(topic, step)
-                if topic == VERDICT:
-                    self._judged_step = step
-                if topic == TRUTH and step % REPORT_EVERY == 0:
-                    self._steps.publish(UInt64(data=step))
-                    self._report()
-            except Exception as error:          # noqa: B902 - handed on through `done`
-                self.finish(error)
-            if topic == TRUTH:
-                self.rest(info)
+        def store(data: bytes, step: int, sent_ns: int, sequence: int) -> None:
+            step = step if stepped else self.step
+            self.step = max(self.step, step)
+            self._store((topic, data, max(step, 0) * step_ns, sent_ns, sequence), stepped)
+            if owed:
+                self._heard = time.monotonic()
+                self._ledger.saw(topic, step)
+            if topic == VERDICT:
+                self._judged_step = step
+            if topic == self._truth and step % REPORT_EVERY == 0:
+                self.host.publish(self._steps, RECORDED_STEP, step, UInt64(data=step))
+                self._report()
         return store
 
-    def _store(self, topic: str, data: bytes, log_ns: int, info: dict, stepped: bool) -> None:
-        message = (topic, data, log_ns, info['source_timestamp'],
-                   info['publication_sequence_number'] or 0)
+    def _store(self, message: tuple, stepped: bool) -> None:
+        topic = message[0]
         if self._early is None:
             self._bag.write(*message)
         elif topic == SCENARIO:
             self._begin([message, *self._early])
-        elif stepped and topic not in graph.COMMON:     # the run has begun without a scenario
+        elif stepped and topic not in COMMON:           # the run has begun without a scenario
             self._begin([*self._early, message])
         else:
             self._early.append(message)
@@ -151,7 +154,7 @@ class BagRecorder(WatchNode):
     def _look_for_topics(self) -> None:
         """Record topics that are not in the graph's table, viewers' topics for instance."""
         for topic, kinds in self.get_topic_names_and_types():
-            known = topic in self._subscriptions_of or topic in self._unknown
+            known = topic in self._recorded or topic in self._unknown
             if known or topic in NOT_RECORDED or '/_' in topic:
                 continue
             writers = self.get_publishers_info_by_topic(topic)
@@ -171,12 +174,12 @@ class BagRecorder(WatchNode):
             self.trouble['disk'] = self._bag.trouble
             self.get_logger().error(self._bag.trouble)
             self.event('DISK', self._bag.trouble)
-        self.diagnose()
+        self.host.diagnose()
 
-    def on_end(self) -> None:
+    def on_end(self, final_step: int) -> None:
         """Wait for the last step of every topic, which may still be on its way."""
         self._heard = time.monotonic()
-        self.create_timer(DRAIN_PERIOD_S, self._drain)
+        self.create_timer(DRAIN_PERIOD_S, self.guarded(self._drain))
 
     def _drain(self) -> None:
         now = time.monotonic()
@@ -187,15 +190,16 @@ class BagRecorder(WatchNode):
             self.finish()
 
     def _all_here(self) -> bool:
-        judged = self._judged_step >= self.final_step or 'mission_monitor' not in self._names
-        return judged and self._ledger.reached(self.final_step)
+        final = self.host.final_step
+        judged = self._judged_step >= final or MONITOR not in self.roster.names
+        return judged and self._ledger.reached(final)
 
     def close(self) -> None:
         """Close the bag; nobody waits for the recorder's own last messages."""
         if self._early:
             self._begin(self._early)
-        if self.final_step is not None:
-            self._ledger.end(self.final_step)
+        if self.host.final_step is not None:
+            self._ledger.end(self.host.final_step)
         missing = {topic: str(n) for topic, n in self._ledger.missing.items()}
         self._bag.close({NOTE_MISSING: missing})
 
@@ -209,8 +213,3 @@ def _adapted(offers: list[QoSProfile]) -> QoSProfile:
         reliability=ReliabilityPolicy.RELIABLE if reliable else ReliabilityPolicy.BEST_EFFORT,
         durability=(DurabilityPolicy.TRANSIENT_LOCAL if latched
                     else DurabilityPolicy.VOLATILE))
-
-
-def main(args=None) -> None:
-    """Run the node."""
-    run(BagRecorder, args)

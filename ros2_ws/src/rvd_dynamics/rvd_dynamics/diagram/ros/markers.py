@@ -1,5 +1,5 @@
 """
-ROS shell that draws the scene for RViz and Foxglove, outside the ring.
+The scene for RViz and Foxglove, drawn by a node outside the ring.
 
 Watches     /ground/estimate, /ground/prediction, /truth/relative_state
 Publishes   /viz/corridor, /viz/control_boundary    visualization_msgs/MarkerArray, latched
@@ -20,7 +20,6 @@ import time
 from geometry_msgs.msg import Point, Pose, PoseStamped, Quaternion, TransformStamped, Vector3
 from nav_msgs.msg import Path
 import numpy as np
-from rclpy.event_handler import SubscriptionEventCallbacks
 from rclpy.publisher import Publisher
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from rclpy.serialization import deserialize_message
@@ -28,11 +27,12 @@ from std_msgs.msg import ColorRGBA, Header
 from visualization_msgs.msg import Marker, MarkerArray
 
 from rvd_dynamics.geometry import cone, surfaces
-from rvd_dynamics.mission import Mission
 from rvd_dynamics.recording.params import MarkerParams
 from rvd_dynamics.diagram.ros import qos
-from rvd_dynamics.diagram.ros.node import WatchNode
-from rvd_dynamics.diagram.ros.run import run
+from rvd_dynamics.diagram.ros.host import Host
+from rvd_dynamics.diagram.ros.node import RunNode
+from rvd_dynamics.diagram.roster import MARKERS
+from rvd_dynamics.diagram.scenario import Scenario
 from rvd_interfaces.msg import RelativeState
 
 TRAIL_EVERY = 5                 # [pictures] a trail is long: draw it less often
@@ -51,22 +51,21 @@ SOURCES = {'/ground/estimate': ('chaser', 'estimate', KNOWN),
            '/truth/relative_state': ('truth', 'truth', TRUE)}
 
 
-class Markers(WatchNode):
+class Markers(RunNode):
     """The scene as a node."""
 
-    def __init__(self) -> None:
-        super().__init__('markers')
-        self._params = self.settings(MarkerParams)
+    def __init__(self, host: Host) -> None:
+        super().__init__(host, MARKERS)
+        self._params: MarkerParams = self.scenario.settings(MARKERS)
         self._newest: dict[str, bytes] = {}
         self._bodies, self._trails, self._paths = {}, {}, {}
         for topic, (body, trail, _) in SOURCES.items():
-            self._look_at(topic)                # truth too: the others wait for their readers
             if topic != '/truth/relative_state' or self._params.show_truth:
                 self._bodies[topic] = self._viewed(f'/viz/{body}', qos.VIEW)
                 self._trails[topic] = self._viewed(f'/viz/trail/{trail}', qos.VIEW)
-                self._paths[topic] = Path(header=Header(frame_id=self.mission.frame_id))
+                self._paths[topic] = Path(header=Header(frame_id=self.run.frame_id))
         self._pictures = 0
-        still = still_scene(self.mission, self._params.boundary_rate_m_s)
+        still = still_scene(self.scenario, self._params.boundary_rate_m_s)
         for topic, markers in still.items():
             self._viewed(topic, qos.LATCHED).publish(markers)
         self._say_where()
@@ -75,13 +74,18 @@ class Markers(WatchNode):
         return self.create_publisher(TOPICS[topic], topic, profile)
 
     def _look_at(self, topic: str) -> None:
-        """Subscribe so that only the newest message waits, as bytes."""
-        events = SubscriptionEventCallbacks(use_default_callbacks=False) if self._lean else None
-
-        def keep(data: bytes) -> None:
+        """Let only the newest message wait, as bytes."""
+        def keep(data: bytes, _: dict) -> None:
             self._newest[topic] = data
-        self._subscriptions_of[topic] = self.create_subscription(
-            RelativeState, topic, keep, NEWEST, raw=True, event_callbacks=events)
+        if self.host.is_local(topic):
+            self.host.keep(topic, lambda step, data: keep(data, {}))
+        else:
+            self.watch_raw(topic, RelativeState, keep, NEWEST)
+
+    def connect(self) -> None:
+        """Listen; to the truth too, whose writer waits for its readers."""
+        for topic in SOURCES:
+            self._look_at(topic)
 
     def _say_where(self) -> None:
         """Make the frame known to tf2, where there is tf2; viewers do without."""
@@ -89,16 +93,16 @@ class Markers(WatchNode):
             from tf2_msgs.msg import TFMessage
         except ImportError:
             return
-        transform = TransformStamped(header=Header(frame_id=self.mission.frame_id),
+        transform = TransformStamped(header=Header(frame_id=self.run.frame_id),
                                      child_frame_id='target')
         self.create_publisher(TFMessage, '/tf_static', qos.LATCHED).publish(
             TFMessage(transforms=[transform]))
 
     def on_ready(self) -> None:
         """Begin to draw."""
-        self.create_timer(1.0 / self._params.rate_hz, self._picture)
+        self.create_timer(1.0 / self._params.rate_hz, self.guarded(self._picture))
 
-    def on_end(self) -> None:
+    def on_end(self, final_step: int) -> None:
         """Draw the last picture."""
         self._draw(trails=True)
         self.finish()
@@ -109,7 +113,8 @@ class Markers(WatchNode):
         self._pictures += 1
         # Whatever comes meanwhile replaces what came before: a run at full speed would wake
         # this node for every message and be slowed down by it.
-        time.sleep(max(0.0, 0.9 / self._params.rate_hz - (time.monotonic() - begin)))
+        if len(self.host.nodes) == 1:
+            time.sleep(max(0.0, 0.9 / self._params.rate_hz - (time.monotonic() - begin)))
 
     def _draw(self, trails: bool) -> None:
         for topic, data in list(self._newest.items()):
@@ -137,22 +142,22 @@ class Markers(WatchNode):
             path.poses = path.poses[::2]
 
 
-def still_scene(mission: Mission, rate: float) -> dict[str, MarkerArray]:
+def still_scene(scenario: Scenario, rate: float) -> dict[str, MarkerArray]:
     """Return what does not move: the corridor with the target, and the control boundary."""
-    header = Header(frame_id=mission.frame_id)
-    far = mission.start.position_m[0] - 2.0
+    header = Header(frame_id=scenario.run.frame_id)
+    corridor, delay_s = scenario.part('cone'), scenario.part('leg_params').loop_s
+    far = scenario.part('start').position_m[0] - 2.0
     ends = np.array([far, 0.0])
     x = np.linspace(far, 0.0, STATIONS)
     inner = cone.control_boundary(
-        x, mission.corridor, mission.orbit.mean_motion, rate=rate,
-        delay=mission.forward_delay_s + mission.back_delay_s)
+        x, corridor, scenario.part('orbit').mean_motion, rate=rate, delay=delay_s)
     target = Marker(header=header, ns='target', id=0, type=Marker.CUBE, action=Marker.ADD,
                     color=_rgba(KNOWN, 0.9), scale=Vector3(x=1.0, y=1.0, z=1.0),
                     pose=Pose(position=Point(x=0.5)))
     return {
         '/viz/corridor': MarkerArray(markers=[
-            _surface(header, 'wall', ends, cone.radius(ends, mission.corridor), WALL, 0.12),
-            _ring(header, 'docking plane', mission.corridor.docking_radius_m, WALL), target]),
+            _surface(header, 'wall', ends, cone.radius(ends, corridor), WALL, 0.12),
+            _ring(header, 'docking plane', corridor.docking_radius_m, WALL), target]),
         '/viz/control_boundary': MarkerArray(markers=[
             _surface(header, 'boundary', x, inner, BOUNDARY, 0.15)])}
 
@@ -205,8 +210,3 @@ def _rgba(colour: tuple, opacity: float) -> ColorRGBA:
 def _point(state: RelativeState) -> Point:
     p = state.position
     return Point(x=p.x, y=p.y, z=p.z)
-
-
-def main(args=None) -> None:
-    """Run the node."""
-    run(Markers, args)
