@@ -47,7 +47,8 @@ stop() { kill -TERM "${!name_of[@]}" 2>/dev/null; }
 trap stop INT TERM
 
 # One line a process: its name, package and executable, and what it is told besides the scenario.
-list=$(python3 -m rvd_dynamics.diagram.roster "$scenario" "$run" $headless) || exit 2
+# Whoever has asked the mission already (`./rvd fly`) hands the list over.
+list=${RVD_PROCESSES:-$(python3 -m rvd_dynamics.diagram.roster "$scenario" "$run" $headless)} || exit 2
 while read -r name package program arguments; do
     if ! exe=$(executable "$package" "$program"); then
         failed=2

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from rvd_campaign.campaign import stats
 from rvd_campaign.campaign.results import Table
 from rvd_campaign.campaign.spec import Campaign, Condition
-from rvd_campaign.report.figures import BLUE, GREEN, INK, MUTED, ORANGE, VERMILLION, WIDTH_IN
+from rvd_dynamics.recording.drawing import BLUE, GREEN, INK, MUTED, ORANGE, VERMILLION, WIDTH_IN
 from rvd_campaign.loop import fly
 from rvd_dynamics.geometry import cone
 

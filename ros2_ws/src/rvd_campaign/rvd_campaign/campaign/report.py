@@ -13,10 +13,10 @@ from rvd_campaign.campaign.engine import open_folder, RESULTS
 from rvd_campaign.campaign.figures import FIGURES, NEEDED, Results
 from rvd_campaign.campaign.spec import CampaignError
 from rvd_campaign.campaign.summary import SUMMARY
-from rvd_campaign.report.figures import drawn
-from rvd_campaign.report.figures import STYLE as LOOK
 from rvd_campaign.report.page import Drawn, render
 from rvd_dynamics.recording import whole
+from rvd_dynamics.recording.drawing import STYLE as LOOK
+from rvd_dynamics.recording.drawing import svg
 
 LONGEST = 60                            # rows of a table that a page shows
 DASH = '\u2013'
@@ -186,5 +186,5 @@ def _figure(name: str, made: Results) -> Drawn:
         figure, caption = draw(made)
         said.append(caption)
         return figure
-    svg = drawn(name, drawing)
-    return Drawn(title, svg, said[0], tall=name in ('tracks', 'landing'))
+    picture = svg(name, drawing)
+    return Drawn(title, picture, said[0], tall=name in ('tracks', 'landing'))

@@ -16,9 +16,11 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import yaml
 
 from rvd_dynamics.diagram.judge import for_page, from_message
-from rvd_dynamics.recording.reader import mission_of
+from rvd_dynamics.diagram.params import build, dotted, leaves
+from rvd_dynamics.mission import Mission
 from rvd_dynamics.link.frame import Downlink, unpack_downlink
 from rvd_dynamics.recording.messages import MessageFile, stamp_ns
 from rvd_dynamics.commands.levels import stick_levels
@@ -56,6 +58,17 @@ def load(runs: Path, name: str) -> str:
         for stored in MessageFile(file, TOPICS):
             replay.take(stored.topic, stored.message)
     return encode(replay.content())
+
+
+def mission_of(scenario: str) -> Mission:
+    """Return the shared settings of a scenario text, ignoring keys unknown to this version."""
+    try:
+        tree = yaml.safe_load(scenario)
+        given = dotted(tree['/**']['ros__parameters'])
+        known = {key for key, _ in leaves(Mission)}
+        return build(Mission, {key: value for key, value in given.items() if key in known})
+    except (yaml.YAMLError, ValueError, KeyError, TypeError, AttributeError):
+        return Mission()
 
 
 class Replay:

@@ -7,15 +7,18 @@ No script, no request to anywhere; prints; light or dark as the reader's system 
 from collections import Counter
 from math import isfinite
 from pathlib import Path
-import re
 
-from rvd_dynamics.recording.reader import LINK_COUNTS, LinkHistory, read, Recording
-from rvd_campaign.report.figures import svg
-from rvd_campaign.report.page import CAPTIONS, Drawn, render
+from rvd_campaign.report.figures import figures_of
+from rvd_campaign.report.page import Drawn, render
 from rvd_dynamics.commands import codes
 from rvd_dynamics.diagram.judge import Judged
+from rvd_dynamics.link.channel import LINK_COUNTS
 from rvd_dynamics.recording import whole
 from rvd_dynamics.recording.bag_writer import repair
+from rvd_dynamics.recording.drawing import svg
+from rvd_dynamics.recording.reader import read
+from rvd_dynamics.recording.recording import Recording
+from rvd_dynamics.recording.series import Commands, LinkHistory
 
 YES, NO, DASH = '\u2713', '\u2717', '\u2013'
 DECIDED = {codes.BY_NOBODY: 'nobody (no valid input)', codes.BY_PILOT: 'pilot alone',
@@ -60,14 +63,15 @@ def page(run: Recording) -> str:
     if run.judged:
         mark, kind = (YES, 'good') if run.verdict.success else (NO, 'bad')
     shown = run.verdict.measures if run.verdict else ()
+    links = {name: link.history for name, link in run.links.items()}
     return render(
         'run.html.j2', title=headline(run), mark=mark, kind=kind, facts=_facts(run),
         warnings=_warnings(run), verdict=run.verdict, judged=run.judged,
         measures=[(m, _used(m)) for m in shown if m.known or m.limited],
-        figures=[Drawn(title, svg(name, run), caption)
-                 for name, (title, caption) in CAPTIONS.items() if run.last_step >= 0],
-        links=_link_rows(run), decided=_decided_rows(run), refused=_refused(run),
-        empty=int((run.onboard.reason == codes.REASON_EMPTY).sum()),
+        figures=[Drawn(figure.title, svg(name, lambda: figure.draw(run)), figure.caption)
+                 for name, figure in figures_of(run).items()],
+        legs=list(links), links=_link_rows(list(links.values())), decided=_decided_rows(run),
+        refused=_refused(run),
         events=[(f'{e.t:.1f}', e.node, e.code, e.text) for e in run.events],
         topics=[(topic, n, run.missing.get(topic, ''), run.lost.get(topic, 0))
                 for topic, n in run.counts.items()],
@@ -82,19 +86,25 @@ def headline(run: Recording) -> str:
 
 def _facts(run: Recording) -> list[tuple[str, str, str]]:
     """Return what the header says below the verdict: words before, value, words after."""
-    mission = run.mission
-    name = re.match(r'# Scenario (\S+)', run.scenario_text)
-    return [('scenario ', name[1] if name else 'unknown', ''), ('mode ', mission.mode, ''),
-            ('operator ', mission.operator, ''), ('seed ', str(mission.seed), ''),
-            ('run ', str(mission.run), ''), ('step ', f'{mission.step_s:g} s', ''),
-            ('delay ', f'{mission.forward_delay_s:g} + {mission.back_delay_s:g} s', '')]
+    facts, scenario = [('scenario ', run.name or 'unknown', '')], run.scenario
+    if scenario is None:
+        return facts
+    facts.append(('mission ', scenario.mission.name, ''))
+    if scenario.has_shared('operator'):
+        operation = scenario.part('operation')
+        facts += [('mode ', operation.mode, ''), ('operator ', operation.operator, '')]
+    facts += [('seed ', str(scenario.run.seed), ''), ('run ', str(scenario.run.run), ''),
+              ('step ', f'{scenario.run.step_s:g} s', '')]
+    delays = ' + '.join(f'{link.hold_s:g}' for link in run.links.values())
+    return [*facts, ('delay ', f'{delays} s', '')] if delays else facts
 
 
 def _warnings(run: Recording) -> list[str]:
     """Return sentences that say what the bag does not hold; none if it holds everything."""
     said = []
-    where = (f'at step {run.last_step} ({run.last_step * run.mission.step_s:g} s)'
-             if run.last_step >= 0 else 'before the first step')
+    where = 'before the first step' if run.last_step < 0 else f'at step {run.last_step}'
+    if run.scenario is not None and run.last_step >= 0:
+        where += f' ({run.last_step * run.scenario.run.step_s:g} s)'
     if not run.closed:
         said.append(f'The bag was cut off {where}; it holds nothing that came later.')
     elif not run.ended:
@@ -105,8 +115,10 @@ def _warnings(run: Recording) -> list[str]:
         said.append(f'Received but not stored: {_listed(run.lost)}.')
     if run.trouble:
         said.append(f'The recorder reported: {run.trouble}.')
-    if not run.scenario_text:
-        said.append('The bag holds no scenario: default settings are assumed below.')
+    if run.scenario is None:
+        said.append(f'There are no figures: {run.scenario_trouble}.')
+    elif run.scenario_trouble:
+        said.append(f'Some settings were left out: {run.scenario_trouble}.')
     return said
 
 
@@ -123,8 +135,7 @@ def _used(m: Judged) -> float | None:
     return min(max(m.value / m.high, 0.0), 1.0) if m.known and m.high > 0.0 else None
 
 
-def _link_rows(run: Recording) -> list[list[str]]:
-    links = (run.forward, run.back)
+def _link_rows(links: list[LinkHistory]) -> list[list[str]]:
     rows = [[name.replace('_', ' '), *(str(link.last.get(name, '')) for link in links)]
             for name in LINK_COUNTS]
     rows += [[words, *(_seconds(link.last.get(name)) for link in links)]
@@ -152,12 +163,24 @@ def _balance(link: LinkHistory) -> str:
 
 
 def _decided_rows(run: Recording) -> list[tuple[str, int, str]]:
-    by = Counter(run.ground.decided_by.tolist())
-    total = max(len(run.ground.step), 1)
-    return [(DECIDED.get(who, str(who)), n, f'{100 * n / total:.0f} %')
-            for who, n in sorted(by.items())]
+    """Return who decided how often, of the commands of the block that obeys `/run/control`."""
+    decided = [who for series in _commands_of_control(run) for who in series.decided_by.tolist()]
+    return [(DECIDED.get(who, str(who)), n, f'{100 * n / len(decided):.0f} %')
+            for who, n in sorted(Counter(decided).items())]
 
 
-def _refused(run: Recording) -> str:
-    refused = Counter(r for r in run.onboard.reason.tolist() if r in REFUSED)
-    return ', '.join(f'{n} for {REFUSED[r]}' for r, n in sorted(refused.items())) or 'none'
+def _commands_of_control(run: Recording) -> list[Commands]:
+    blocks = () if run.scenario is None else run.scenario.diagram.blocks
+    written = [run.of(signal) for block in blocks if block.control
+               for signal in block.writes.values()]
+    return [series for series in written if isinstance(series, Commands)]
+
+
+def _refused(run: Recording) -> tuple[str, int] | None:
+    """Return what the guard refused in words, and how many steps it had no command for."""
+    thrust = None if run.scenario is None else run.of(run.scenario.diagram.thrust)
+    if not isinstance(thrust, Commands) or not len(thrust):
+        return None                             # commands of another form say no reasons
+    refused = Counter(r for r in thrust.reason.tolist() if r in REFUSED)
+    words = ', '.join(f'{n} for {REFUSED[r]}' for r, n in sorted(refused.items())) or 'none'
+    return words, int((thrust.reason == codes.REASON_EMPTY).sum())

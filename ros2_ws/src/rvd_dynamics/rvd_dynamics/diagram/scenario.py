@@ -261,14 +261,37 @@ def parse(text: str, name: str) -> Scenario:
         if section != SHARED and section not in mission.sections:
             raise ScenarioError(f'scenario {name}: no node {section!r}'
                                 + nearest(str(section), (SHARED, *mission.sections)))
-        parameters = body.get('ros__parameters') if isinstance(body, dict) else None
-        if not isinstance(parameters, dict) or len(body) != 1:
-            raise ScenarioError(f'scenario {name}: {section} must hold ros__parameters: '
-                                'and nothing else')
-        flat = flat_keys(parameters, f'scenario {name}')
+        flat = _flat_section(name, section, body)
         check_keys(name, mission, section, flat)
         sections[section] = flat
     return Scenario(name, mission, sections).check()
+
+
+def parse_known(text: str, name: str) -> tuple[Scenario, list[str]]:
+    """
+    Return the scenario in a text of another version, and the keys and nodes that were left out.
+
+    What this version does not know is left out; for all else errors are those of `load`.
+    """
+    tree = mapping_of(text, f'scenario {name}')
+    mission = mission_of(tree, name)
+    sections, unknown = {}, []
+    for section, body in tree.items():
+        if section != SHARED and section not in mission.sections:
+            unknown.append(str(section))
+            continue
+        flat, known = _flat_section(name, section, body), _known(mission, section)
+        sections[section] = {key: value for key, value in flat.items() if key in known}
+        unknown += [f'{section}: {key}' for key in flat if key not in known]
+    return Scenario(name, mission, sections).check(), unknown
+
+
+def _flat_section(name: str, section: Any, body: Any) -> dict[str, Any]:
+    parameters = body.get('ros__parameters') if isinstance(body, dict) else None
+    if not isinstance(parameters, dict) or len(body) != 1:
+        raise ScenarioError(f'scenario {name}: {section} must hold ros__parameters: '
+                            'and nothing else')
+    return flat_keys(parameters, f'scenario {name}')
 
 
 def mission_of(tree: dict[str, Any], name: str) -> Mission:

@@ -45,6 +45,7 @@ MISSION = Mission(
     diagram=f'{HERE}.diagram:diagram',
     judge=f'{HERE}.judge:Judge',
     columns=f'{HERE}.columns:COLUMNS',
+    figures=f'{HERE}.figures:FIGURES',
     usual_steps=f'{HERE}.settings:usual_steps',
     modes=('manual', 'shared', 'auto'),
     markers=True,
