@@ -30,4 +30,5 @@ MISSION = Mission(
     checked=('legs',),
     diagram='one_axis.diagram:diagram',
     judge='one_axis.judge:Judge',
+    figures='one_axis.figures:FIGURES',
 )
