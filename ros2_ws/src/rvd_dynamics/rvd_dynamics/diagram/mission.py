@@ -24,6 +24,12 @@ class Shared(NamedTuple):
     prefix: str = ''                    # of its keys, with the dot: 'orbit.'
 
 
+# What every run has, whatever is flown.
+RUN = Shared('run', 'rvd_dynamics.diagram.run:Run')
+RECORDER = {'bag_recorder': 'rvd_dynamics.recording.params:RecorderParams'}
+MARKERS = {'markers': 'rvd_dynamics.recording.params:MarkerParams'}
+
+
 @dataclass(frozen=True)
 class Mission:
     """
@@ -34,9 +40,10 @@ class Mission:
     name, title : str
         As a scenario names it; one sentence for people.
     shared : tuple of Shared
-        Settings under `/**`; one of them is named `run`.
+        Settings under `/**`, besides `run`, which every mission has.
     sections : mapping of str to str
-        Settings class of each node's section, as 'module:Class'.
+        Settings class of each node's section, as 'module:Class'; those of the recorder and the
+        markers need no mention.
     diagram : str
         'module:function' that returns the `Diagram` of a scenario.
     parts : mapping of str to str
@@ -74,6 +81,13 @@ class Mission:
     markers: bool = False
     modes: tuple[str, ...] = ()
     short_words: Mapping[str, str] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        put = object.__setattr__
+        if RUN.name not in {shared.name for shared in self.shared}:
+            put(self, 'shared', (RUN, *self.shared))
+        ours = {**RECORDER, **(MARKERS if self.markers else {})}
+        put(self, 'sections', {**self.sections, **ours})
 
 
 @lru_cache(maxsize=1)

@@ -12,7 +12,6 @@ MISSION = Mission(
     name='lunar_approach',
     title='A pilot on Earth docks a chaser in lunar orbit through a delay of seconds.',
     shared=(
-        Shared('run', 'rvd_dynamics.diagram.run:Run'),
         Shared('operation', 'rvd_groundstation.operators.operation:Operation'),
         Shared('leg_params', 'rvd_dynamics.diagram.run:LegParams'),
         Shared('orbit', 'rvd_dynamics.motion.orbit:OrbitParams', 'orbit.'),
@@ -33,11 +32,9 @@ MISSION = Mission(
         'command_blender': 'rvd_groundstation.settings:BlenderParams',
         'operator_model': 'rvd_groundstation.operators.pilot:PilotParams',
         'joystick_replay': 'rvd_groundstation.settings:ReplayParams',
-        'bag_recorder': 'rvd_dynamics.recording.params:RecorderParams',
-        'markers': 'rvd_dynamics.recording.params:MarkerParams',
     },
     parts={
-        'legs': f'{HERE}.settings:legs',
+        'legs': 'rvd_dynamics.diagram.run:legs',
         'form': f'{HERE}.settings:form',
         'paced': f'{HERE}.settings:paced',
         'sharing': f'{HERE}.ground:sharing',
