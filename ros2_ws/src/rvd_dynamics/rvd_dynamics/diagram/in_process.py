@@ -307,8 +307,11 @@ def _stacked(signal: Signal, values: list, end_step: NDArray[np.int64], batch: t
     made_of = {}
     for part in signal.parts:
         column = [getattr(value, part.name) for value in values]
-        if part.dtype == 'O' or any(v is None for v in column):
+        if any(v is None for v in column):
             made_of[part.name] = None
+            continue
+        if part.dtype == 'O':                   # the same in all rows: a list, step by step
+            made_of[part.name] = column
             continue
         whole = np.empty((len(values), *batch, *part.shape), dtype=part.dtype)
         for at, v in zip(whole, column):
