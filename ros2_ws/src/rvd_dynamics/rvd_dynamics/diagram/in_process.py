@@ -140,7 +140,7 @@ def draws_key(scenario: Scenario, runs: Sequence[int]) -> tuple:
 
 # -- the loop --------------------------------------------------------------------------------
 
-@dataclass
+@dataclass(slots=True)
 class _Slot:
     """A signal under way: its newest value, and as many before as somebody reads."""
 
@@ -195,10 +195,13 @@ class Loop:
         return available
 
     def _planned(self, block: Block) -> tuple:
-        inputs = [(argument, self._slots[read.signal.name], read.delay)
-                  for argument, read in block.reads.items()]
+        """Return what `advance` needs of a block: a step of all blocks takes 30 us this way."""
+        present = [(argument, self._slots[read.signal.name])
+                   for argument, read in block.reads.items() if not read.delay]
+        past = [(argument, self._slots[read.signal.name].before, -read.delay)
+                for argument, read in block.reads.items() if read.delay]
         outputs = [(name, self._slots[signal.name]) for name, signal in block.writes.items()]
-        return block, self._blocks[block.name].step, inputs, outputs
+        return block, self._blocks[block.name].step, block.period, present, past, outputs
 
     def advance(self, step: int) -> None:
         """Do everything that happens in one step."""
@@ -206,27 +209,31 @@ class Loop:
         if change is not None:
             self._control = Control(change.mode or self._control.mode,
                                     change.abort or self._control.abort)
-        for block, fire, inputs, outputs in self._plan:
-            if step % block.period:
+        for block, fire, period, present, past, outputs in self._plan:
+            if step % period:
                 continue
-            given = {argument: slot.value if not delay else slot.before[-delay]
-                     for argument, slot, delay in inputs}
+            given = {}
+            for argument, slot in present:
+                given[argument] = slot.value
+            for argument, before, back in past:
+                given[argument] = before[back]
             if block.control:
                 given['control'] = self._control
             made_now = fire(step, **given)
+            if step == 0:
+                self._check(block, made_now)
             for name, slot in outputs:
                 if name in made_now:
                     slot.value = made_now[name]
-            if step == 0:
-                self._check(block, made_now)
         for slot in self._delayed:
             slot.before.append(slot.value)
         for name, kept in self._history.items():
             kept.append(self._slots[name].value)
         self.judge.follow(step, self._truth.value)
         final = self._truth.value.final
-        self.end_step[final & ~self.ended] = step
-        self.ended |= final
+        if np.count_nonzero(final):
+            self.end_step[final & ~self.ended] = step
+            self.ended |= final
 
     def _check(self, block: Block, outputs: Any) -> None:
         """Refuse outputs that have not the form of their signals."""

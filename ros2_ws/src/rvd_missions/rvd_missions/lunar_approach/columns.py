@@ -7,12 +7,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rvd_dynamics.commands.codes import BY_AUTO, BY_BLEND, BY_NOBODY, BY_PILOT
+
 COLUMNS = {                             # name: type
     'failed_at_s': 'f8', 'failed_x_m': 'f8', 'failed_y_m': 'f8', 'failed_z_m': 'f8',
     'y_m': 'f8', 'z_m': 'f8', 'y_rate_m_s': 'f8', 'z_rate_m_s': 'f8',
     'steps': 'i8', 'steps_nobody': 'i8', 'steps_pilot': 'i8', 'steps_auto': 'i8',
     'steps_blend': 'i8', 'steps_changed': 'i8'}
-DECIDERS = 4                            # codes.BY_NOBODY, BY_PILOT, BY_AUTO, BY_BLEND
+DECIDERS = np.array([[BY_NOBODY], [BY_PILOT], [BY_AUTO], [BY_BLEND]], dtype=np.uint8)
 
 
 class Columns:
@@ -20,15 +22,14 @@ class Columns:
 
     def __init__(self, batch: tuple) -> None:
         self._ended = np.zeros(batch, dtype=bool)
-        self._decided = np.zeros((DECIDERS, *batch), dtype=np.int64)
-        self._changed = np.zeros(batch, dtype=np.int64)
+        self._decided = np.zeros((len(DECIDERS), *batch), dtype=np.int32)
+        self._changed = np.zeros(batch, dtype=np.int32)
 
     def step(self, k: int, truth: Any, command: Any, stick: Any = None) -> dict[str, Any]:
         """Count step k."""
         self._ended |= truth.final
         live = ~self._ended
-        for by, steps in enumerate(self._decided):
-            steps += live & (command.decided_by == by)
+        self._decided += (command.decided_by == DECIDERS) & live
         differs = command.command != (0 if stick is None else stick.command)
         self._changed += live & (differs[:, 0] | differs[:, 1] | differs[:, 2])
         return {}
