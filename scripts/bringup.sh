@@ -50,16 +50,14 @@ trap stop INT TERM
 # Whoever has asked the mission already (`./rvd fly`) hands the list over.
 list=${RVD_PROCESSES:-$(python3 -m rvd_dynamics.diagram.roster "$scenario" "$run" $headless)} || exit 2
 while read -r name package program arguments; do
-    if ! exe=$(executable "$package" "$program"); then
-        failed=2
-        continue
-    fi
+    executable "$package" "$program" >/dev/null || exit 2          # before anything has started
+done <<<"$list"
+while read -r name package program arguments; do
     eval "own=($arguments)"
-    "$exe" --ros-args --params-file "$scenario" "${own[@]}" >"$run/logs/$name.log" 2>&1 </dev/null &
+    "$(executable "$package" "$program")" --ros-args --params-file "$scenario" "${own[@]}" >"$run/logs/$name.log" 2>&1 </dev/null &
     name_of[$!]=$name
     echo "start $name $!"
 done <<<"$list"
-[ "$failed" = 0 ] || stop
 
 while [ ${#name_of[@]} -gt 0 ]; do
     pid=

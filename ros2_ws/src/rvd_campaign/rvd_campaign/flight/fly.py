@@ -41,6 +41,7 @@ def main(args: argparse.Namespace) -> int:
     elif args.condition or args.run_number is not None or args.in_process:
         raise CannotRun('--condition, --run and --in-process go with --from DIR')
     scenario = again.chosen(args) if again else chosen(args)
+    scenario.diagram                            # refused, if it must be, before there is a folder
     if operator_of(scenario) == 'console':
         from rvd_campaign.flight import console
         return console.main(args, scenario)

@@ -38,8 +38,8 @@ def _own(run: Recording) -> dict[str, Figure]:
     mission = run.scenario.mission
     try:
         own = loaded(mission.figures) if mission.figures else {}
-    except ImportError as error:
-        raise ValueError(f'mission {mission.name}: figures cannot be loaded: {error}') from None
+    except ValueError as error:
+        raise ValueError(f'mission {mission.name}: figures: {error}') from None
     if not isinstance(own, dict) or not all(
             str(name).isidentifier() and isinstance(figure, Figure)
             for name, figure in own.items()):

@@ -8,6 +8,8 @@ from collections import Counter
 from math import isfinite
 from pathlib import Path
 
+from numpy.typing import NDArray
+
 from rvd_campaign.report.figures import figures_of
 from rvd_campaign.report.page import Drawn, render
 from rvd_dynamics.commands import codes
@@ -18,7 +20,7 @@ from rvd_dynamics.recording.bag_writer import repair
 from rvd_dynamics.recording.drawing import svg
 from rvd_dynamics.recording.reader import read
 from rvd_dynamics.recording.recording import Recording
-from rvd_dynamics.recording.series import Commands, LinkHistory
+from rvd_dynamics.recording.series import Commands, LinkHistory, Series, Table
 
 YES, NO, DASH = '\u2713', '\u2717', '\u2013'
 DECIDED = {codes.BY_NOBODY: 'nobody (no valid input)', codes.BY_PILOT: 'pilot alone',
@@ -180,8 +182,16 @@ def _commands_of_control(run: Recording) -> list[Commands]:
 def _refused(run: Recording) -> tuple[str, int] | None:
     """Return what the guard refused in words, and how many steps it had no command for."""
     thrust = None if run.scenario is None else run.of(run.scenario.diagram.thrust)
-    if not isinstance(thrust, Commands) or not len(thrust) or thrust.reason is None:
-        return None                             # commands of another form say no reasons
-    refused = Counter(r for r in thrust.reason.tolist() if r in REFUSED)
+    reason = _reasons(thrust)
+    if reason is None or not len(reason):
+        return None
+    refused = Counter(r for r in reason.tolist() if r in REFUSED)
     words = ', '.join(f'{n} for {REFUSED[r]}' for r, n in sorted(refused.items())) or 'none'
-    return words, int((thrust.reason == codes.REASON_EMPTY).sum())
+    return words, int((reason == codes.REASON_EMPTY).sum())
+
+
+def _reasons(thrust: Series | None) -> NDArray | None:
+    """Return why the guard commanded what it did, a code per step; None if it is not recorded."""
+    if isinstance(thrust, Commands):
+        return thrust.reason
+    return thrust.parts.get('reason') if isinstance(thrust, Table) else None

@@ -144,6 +144,6 @@ def scenario_of(text: str) -> tuple[Scenario | None, str]:
     try:
         scenario, unknown = parse_known(text, name_of(text) or 'of the bag')
         scenario.diagram                        # what breaks a rule is found out here
-    except (ValueError, ImportError) as error:
+    except ValueError as error:
         return None, str(error)
     return scenario, f'this version does not know {", ".join(unknown)}' if unknown else ''

@@ -94,12 +94,19 @@ class Parts(Codec):
         self._layout = ', '.join(
             f'{part.name}[{",".join(map(str, part.shape))}]' if part.shape else part.name
             for part in signal.parts)
+        self._starts = [part.filled(()) for part in signal.parts]
 
     def encode(self, k: int, value: Any) -> Values:
         """Return the message of a value."""
-        numbers = np.concatenate([np.ravel(part).astype(float) for part in value])
+        numbers = np.concatenate([np.ravel(part).astype(float) for part in self.wired(value)])
         return Values(header=header_at(self.stamp_ns(k), self.run.frame_id), step=k,
                       layout=self._layout, values=numbers)
+
+    def wired(self, value: Any) -> Any:
+        """Return what a reader gets: parts of the declared types, also those left out."""
+        return self.signal.type(*(
+            start if given is None else np.asarray(given, dtype=start.dtype)
+            for start, given in zip(self._starts, value)))
 
     def decode(self, k: int, message: Values) -> Any:
         """Return the value in a message; ValueError if it is of another layout."""
@@ -211,10 +218,17 @@ class Stick(Codec):
 
     def encode(self, k: int, value: Any) -> bytes:
         """Return the serialised message of a value."""
-        axes, buttons = value.raw or stick_axes(
-            [level / HIGHEST for level in value.command.tolist()], True, self._stick)
+        axes, buttons = value.raw or self._moved(value)
         return _stick_layout(len(axes), len(buttons)).pack(
             *divmod(k * self.run.step_ns, NS_PER_S), *axes, *buttons)
+
+    def _moved(self, value: Any) -> tuple[list[float], list[int]]:
+        """Return axes and buttons of a stick at these levels; of one that nobody holds if invalid."""
+        axes, buttons = stick_axes([level / HIGHEST for level in value.command.tolist()],
+                                   bool(value.valid), self._stick)
+        if not value.valid and self._stick.deadman_button < 0:      # no button to say it with
+            axes = [NAN] * len(axes)
+        return axes, buttons
 
     def decode(self, k: int, message: Joy) -> Any:
         """Return the value in a message."""
@@ -308,7 +322,7 @@ class Downlink(_Sender):
         """Return the frame of a value."""
         return self._frame(k, pack_downlink(
             sequence=k + 1, generated_ns=k * self.run.step_ns, state=value.state,
-            accepted_sequence=value.accepted, refusal=value.refusal))
+            accepted_sequence=value.accepted or 0, refusal=value.refusal or 0))
 
 
 class Telemetry(Codec):

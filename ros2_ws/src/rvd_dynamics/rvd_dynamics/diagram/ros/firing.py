@@ -292,7 +292,11 @@ class BlockNode(FiringNode):
         publish = self.host.publish
         for name, (signal, codec, publisher) in self._outputs.items():
             value = outputs[name]
-            made_of = codec.encode(k, value)
+            try:
+                made_of = codec.encode(k, value)
+            except ValueError as error:         # no command of the form, for instance
+                raise DiagramError(f'block {self.block.name} writes {signal.name} at step {k}: '
+                                   f'{error}') from None
             if codec.frames:
                 publish(publisher, signal.name, k, made_of.serialised(), made_of)
             else:
