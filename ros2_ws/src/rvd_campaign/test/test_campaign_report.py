@@ -19,7 +19,7 @@ from rvd_campaign.campaign.progress import Progress
 from rvd_campaign.campaign.report import page, write_campaign_report
 from rvd_campaign.campaign.spec import CampaignError, parse_campaign
 from rvd_campaign.campaign.summary import finish, in_words, SUMMARY
-from rvd_campaign.report.figures import drawn, STYLE
+from rvd_dynamics.recording.drawing import STYLE, svg
 
 TEXT = '''
 # Two <conditions> & a grid
@@ -169,5 +169,5 @@ def test_no_results_no_page(tmp_path):
 
 def test_drawing_twice_gives_the_same_bytes(made):
     def once():
-        return drawn('success', lambda: FIGURES['success'][1](made)[0])
+        return svg('success', lambda: FIGURES['success'][1](made)[0])
     assert once() == once()
