@@ -323,7 +323,7 @@ def test_conditions_are_paired():
     one, other = (fly(s, range(20), record=True) for s in (shared, manual))
     truth, others = history_of(one, 'truth'), history_of(other, 'truth')
     assert_array_equal(truth[:21], others[:21])
-    assert not np.array_equal(truth[:100], others[:100])
+    assert not np.array_equal(truth[:200], others[:200], equal_nan=True)     # the law acts late
     for key, value in verdict_row(quick.verdict).items():
         assert_array_equal(value, verdict_row(other.verdict)[key], key)
 
