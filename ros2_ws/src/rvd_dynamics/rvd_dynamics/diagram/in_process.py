@@ -217,11 +217,11 @@ class Loop:
             if block.control:
                 given['control'] = self._control
             made_now = fire(step, **given)
+            if step == 0:
+                self._check(block, made_now)
             for name, slot in outputs:
                 if name in made_now:
                     slot.value = made_now[name]
-            if step == 0:
-                self._check(block, made_now)
         for slot in self._delayed:
             slot.before.append(slot.value)
         for name, kept in self._history.items():
