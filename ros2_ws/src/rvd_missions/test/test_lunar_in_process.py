@@ -434,8 +434,8 @@ def test_printed_variants_do_what_the_documentation_says():
 
 @pytest.mark.parametrize('operator', ['joy', 'console'])
 def test_an_operator_from_outside_cannot_fly_in_one_process(operator):
-    with pytest.raises(ValueError, match='^block command_blender reads /joy, which no block writes: '
-                                         'it can be flown in a graph only$'):
+    said = 'block command_blender reads /joy, which no block writes: it can be flown in a graph only'
+    with pytest.raises(ValueError, match=f'^{said}$'):
         fly(approach(operator=operator), [0])
 
 
