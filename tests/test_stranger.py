@@ -360,6 +360,9 @@ BROKEN = {
         'one_axis/diagram.py', "writes={'command': command, 'uplink': UPLINK}",
         "writes={'command': command, 'uplink': UPLINK, 'thrust': THRUST}",
         'block onboard_guard writes /onboard/thruster_command, which controller writes too'),
+    'a thrust without an initial value': (
+        'one_axis/signals.py', ', initial=0.0', '',
+        'block onboard_guard writes /onboard/thruster_command, whose command has no initial value'),
     'a wrong shape': (
         'one_axis/space.py', 'DOWNLINK(state=truth.state + self._sigma*self._noise[..., k, :])',
         'DOWNLINK(state=truth.state[..., :1])',
