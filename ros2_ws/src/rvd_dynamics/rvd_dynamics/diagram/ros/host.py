@@ -75,13 +75,8 @@ class Host:
         self._barrier = node.create_timer(BARRIER_PERIOD_S, self._check_barrier)
 
     def is_local(self, topic: str) -> bool:
-        """Say whether a node of this process writes a topic."""
-        mine = self.roster.process_of.get(self._home())
-        return any(self.roster.process_of.get(name) == mine and topic in self.roster.writes(name)
-                   for name in self.roster.names)
-
-    def _home(self) -> str:
-        return next(iter(self.nodes))
+        """Say whether a node of this process writes a topic; ask when all nodes are made."""
+        return any(topic in self.roster.writes(name) for name in self.nodes)
 
     def take(self, topic: str, taker: Callable[[int, Any], None]) -> None:
         """Hand on what nodes of this process write on a topic: the step, and what passes."""
@@ -187,9 +182,9 @@ class Host:
             node.guarded(node.on_end)(final_step)
 
     def fail(self, node: RunNode, error: Exception) -> None:
-        """End the process with an error; the first one counts."""
+        """End the process with an error of `node`, or of the one it carries; the first counts."""
         if self._error is None and not self._ended:
-            self._error = (node, error)
+            self._error = (getattr(error, 'rvd_node', node), error)
         self._ended = True
 
     def look(self) -> None:
@@ -219,7 +214,7 @@ class Host:
                 try:
                     self.work()
                 except Exception as error:      # noqa: B902 - of the block that fired last
-                    self.fail(getattr(error, 'rvd_node', self._lead), error)
+                    self.fail(self._lead, error)
         finally:
             executor.shutdown(timeout_sec=0.0)
         self.raise_error()
