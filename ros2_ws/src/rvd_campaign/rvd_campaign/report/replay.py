@@ -11,28 +11,25 @@ finished run, 2 nothing to show, with one line that says why.
 
 import os
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 from mcap.records import Channel, Message, Schema
 from mcap_ros2.decoder import DecoderFactory
-import numpy as np
 
-from rvd_dynamics.recording.reader import mission_of
-from rvd_dynamics.link.frame import Downlink, unpack_downlink
+from rvd_dynamics.diagram.display import TRUTH
 from rvd_dynamics.recording.mcap_file import records
-from rvd_dynamics.commands.levels import stick_levels
-from rvd_groundstation.console.feed import Feed
+from rvd_dynamics.recording.reader import mission_of
+from rvd_groundstation.console.decode import command_of, link_of, Sample, SAMPLES, telemetry_of
+from rvd_groundstation.console.feed import Feed, PILOT
 from rvd_groundstation.console.protocol import encode
+from rvd_groundstation.console.provider import display_of
 
 MOST_FRAMES = 900
-NS_PER_S = 1_000_000_000
-TOPICS = ('/run/scenario', '/truth/relative_state', '/ground/telemetry', '/ground/estimate',
-          '/ground/prediction', '/ground/prediction_score', '/ground/auto_command',
-          '/ground/command', '/joy', '/link/back/status', '/run/events', '/run/verdict')
-LINK = ('sent', 'delivered', 'late', 'lost', 'outage', 'corrupted', 'in_flight', 'queued',
-        'delay_p50', 'delay_p99', 'delay_max')
+SCENARIO, TRUE_STATE = '/run/scenario', '/truth/relative_state'
+LINK, EVENTS, VERDICT = '/link/back/status', '/run/events', '/run/verdict'
 
 
 def load(runs: Path, name: str) -> str:
@@ -54,25 +51,31 @@ def load(runs: Path, name: str) -> str:
     if not files:
         raise ValueError('this run has no bag')
     replay = Replay(name)
-    for topic, message in messages(files):
-        replay.take(topic, message)
+    for topic, kind, decode in messages(files):
+        replay.take(topic, kind, decode)
     return encode(replay.content())
 
 
-def messages(files: list[Path]) -> Any:
-    """Yield (topic, decoded message) of the topics that a review shows, in file order."""
+def messages(files: list[Path]) -> Iterator[tuple[str, str, Callable[[], Any]]]:
+    """Yield topic, message type and decoder of each message, in file order."""
     for file in files:
-        factory, schemas, readers = DecoderFactory(), {}, {}
+        factory, schemas, channels, decoders = DecoderFactory(), {}, {}, {}
+
+        def decoded(message: Message) -> Any:
+            at = message.channel_id
+            if at not in decoders:
+                channel = channels[at]
+                decoders[at] = factory.decoder_for(channel.message_encoding,
+                                                   schemas[channel.schema_id])
+            return decoders[at](message.data)
         for record in records(file):
             if isinstance(record, Message):
-                topic, decode = readers.get(record.channel_id, ('', None))
-                if decode is not None:
-                    yield topic, decode(record.data)
+                channel = channels[record.channel_id]
+                yield channel.topic, schemas[channel.schema_id].name, partial(decoded, record)
             elif isinstance(record, Schema):
                 schemas[record.id] = record
-            elif isinstance(record, Channel) and record.topic in TOPICS:
-                readers[record.id] = (record.topic, factory.decoder_for(
-                    record.message_encoding, schemas.get(record.schema_id)))
+            elif isinstance(record, Channel):
+                channels[record.id] = record
 
 
 class Replay:
@@ -82,78 +85,56 @@ class Replay:
         self._name = name
         self._feed: Feed | None = None
         self._every = 1
-        self._truth: dict[int, list[float]] = {}
+        self._truth: dict[int, dict[str, Any]] = {}
         self._frames: list[dict] = []
         self._events: list[dict] = []
         self._verdict: dict | None = None
-        self._takers: dict[str, Callable] = {
-            '/ground/telemetry': self._telemetry, '/ground/estimate': self._estimate,
-            '/ground/prediction': self._prediction, '/ground/prediction_score': self._score,
-            '/ground/auto_command': self._auto, '/ground/command': self._command,
-            '/joy': self._joy, '/link/back/status': self._link,
-            '/truth/relative_state': self._on_truth,
-            '/run/events': self._event, '/run/verdict': self._on_verdict}
+        self._takers: dict[str, Callable] = {}
+        self._shown: frozenset[str] = frozenset()
 
-    def take(self, topic: str, message: Any) -> None:
-        """Take one message."""
-        if topic == '/run/scenario':
-            mission = mission_of(message.data)
-            self._feed = Feed(mission)
-            self._every = max(1, -(-mission.last_step // MOST_FRAMES))
-        elif self._feed is not None:
-            self._takers[topic](message)
+    def take(self, topic: str, kind: str, decode: Callable[[], Any]) -> None:
+        """Take one message, which is decoded only if it is shown."""
+        if topic == SCENARIO:
+            self._begin(Feed(display_of(mission_of(decode().data))))
+        elif topic in self._takers:
+            self._takers[topic](decode())
+        elif topic in self._shown and kind in SAMPLES:
+            sample = SAMPLES[kind](decode())
+            if sample is not None:
+                self._feed.signal(topic, sample)
+
+    def _begin(self, feed: Feed) -> None:
+        display = feed.display
+        self._feed = feed
+        self._shown = frozenset(display.parts()) | frozenset(feed.provider.derives_from)
+        self._every = max(1, -(-feed.facts.last_step // MOST_FRAMES))
+        self._takers = {
+            display.measured: self._telemetry, display.commands.sent: self._command,
+            PILOT: self._joy, LINK: self._link, TRUE_STATE: self._on_truth,
+            EVENTS: self._event, VERDICT: self._on_verdict}
 
     def content(self) -> dict[str, Any]:
         """Return all of it."""
         if self._feed is None or not self._frames:
             raise ValueError('the bag of this run holds nothing that can be shown')
         for frame in self._frames:
-            frame['truth'] = self._truth.get(frame['k'])
+            if frame['k'] in self._truth:
+                frame['signals'][TRUTH] = self._truth[frame['k']]
         return {**self._feed.run_message(self._name), 'type': 'review', 'frames': self._frames,
                 'ladder': self._feed.ladder.changes(), 'events': self._events,
                 'verdict': self._verdict}
 
     def _telemetry(self, m: Any) -> None:
-        if m.empty:
-            return
-        content = unpack_downlink(bytes(m.payload))
-        if isinstance(content, Downlink) and np.isfinite(content.state).all():
-            self._feed.telemetry(m.step, m.sent, m.arrived, content.generated_ns, content.state,
-                                 content.accepted_sequence, content.refusal)
-        else:
-            self._feed.telemetry_lost(m.step, getattr(content, 'name', 'NAN'))
-
-    def _state(self, name: str, m: Any) -> None:
-        covariance = np.array(m.covariance).reshape(6, 6)
-        sigma = None if np.isnan(covariance[0, 0]) else np.sqrt(
-            np.maximum(covariance.diagonal(), 0.0))
-        self._feed.state(name, m.step, _ns(m), np.array(_state(m)), sigma, m.valid)
-
-    def _estimate(self, m: Any) -> None:
-        self._state('est', m)
-
-    def _prediction(self, m: Any) -> None:
-        self._state('pred', m)
-
-    def _score(self, m: Any) -> None:
-        if m.valid:
-            e, v = m.position_error, m.velocity_error
-            self._feed.score(m.step, _ns(m), [e.x, e.y, e.z, v.x, v.y, v.z], list(m.sigma),
-                             list(m.rms), m.scored)
-
-    def _auto(self, m: Any) -> None:
-        self._feed.automatic(list(m.levels), m.valid)
+        self._feed.telemetry(telemetry_of(m, self._feed.facts.step_s))
 
     def _joy(self, m: Any) -> None:
-        levels, valid = stick_levels(m.axes, m.buttons, self._feed.mission.stick)
-        self._feed.pilot(levels.tolist(), valid)
+        self._feed.pilot(*self._feed.provider.pilot(m.axes, m.buttons))
 
     def _link(self, m: Any) -> None:
-        self._feed.link({name: getattr(m, name) for name in LINK})
+        self._feed.link(link_of(m))
 
     def _command(self, m: Any) -> None:
-        self._feed.command(m.step, m.sequence, m.kind, list(m.levels), m.decided_by,
-                           m.pilot_weight, m.reason)
+        self._feed.command(command_of(m))
         if m.step % self._every == 0:
             frame = self._feed.frame(self._feed.ladder.version)
             del frame['type'], frame['ladder']
@@ -161,28 +142,17 @@ class Replay:
 
     def _on_truth(self, m: Any) -> None:
         if m.step % self._every == 0 or m.final:
-            self._truth[m.step] = _state(m)
+            sample: Sample = SAMPLES['rvd_interfaces/msg/RelativeState'](m)
+            self._truth[m.step] = {'k': sample.step, 't': sample.t, 'ok': sample.ok,
+                                   'parts': sample.parts}
 
     def _event(self, m: Any) -> None:
-        self._events.append({'t': m.step * self._feed.mission.step_s, 'node': m.node,
+        self._events.append({'t': m.step * self._feed.facts.step_s, 'node': m.node,
                              'code': m.code, 'text': m.text})
 
     def _on_verdict(self, m: Any) -> None:
         if m.final:
-            self._verdict = {
-                'success': m.success, 'reason': m.reason, 'duration': m.duration,
-                'closing': m.x_rate, 'offset': m.offset, 'lateral': m.lateral_rate,
-                'margin': m.min_corridor_margin, 'exit': m.exit_time, 'delta_v': m.delta_v}
-
-
-def _ns(message: Any) -> int:
-    stamp = message.header.stamp
-    return stamp.sec * NS_PER_S + stamp.nanosec
-
-
-def _state(message: Any) -> list[float]:
-    p, v = message.position, message.velocity
-    return [p.x, p.y, p.z, v.x, v.y, v.z]
+            self._verdict = self._feed.provider.verdict(m)
 
 
 def main(runs: str, name: str) -> int:

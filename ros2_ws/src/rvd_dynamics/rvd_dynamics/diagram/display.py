@@ -38,6 +38,7 @@ ROLES = (
 COLUMNS = ('measured', 'predicted', 'truth', 'plain')       # that an instrument may have, in order
 AXES = 'xyz'
 DIRECTIONS = ('+x', '-x', '+y', '-y', '+z', '-z')
+MODES = ('manual', 'shared', 'auto')
 MARKS = ('dot', 'ring', 'cross', 'square')
 SENT_PARTS = ('value', 'kind', 'by', 'weight', 'reason')    # of the command that is sent
 MOST_AXES = 6                   # of a hand controller: three to push, three to turn
@@ -568,7 +569,8 @@ class Instrument:
         require(bool(self.label), 'instrument.label', 'not be empty', repr(self.label))
         roles = [reading.role for reading in self.readings]
         require(len(roles) > 0 and len(set(roles)) == len(roles),
-                f'instrument {self.label}: readings', 'be one or more, each with its own role', roles)
+                f'instrument {self.label}: readings', 'be one or more, each of another role',
+                roles)
         _require_digits(f'instrument {self.label}: digits', self.digits)
 
 
@@ -812,7 +814,7 @@ class Display:
     controller: Controller | None = None
     charts: Charts | None = None
     legend: tuple[Legend, ...] = ()
-    modes: tuple[str, ...] = ('manual', 'shared', 'auto')
+    modes: tuple[str, ...] = MODES          # those that a pilot may choose
     reasons: Mapping[str, str] | None = None            # words for the judge's reasons
     abort: str = ''             # what the craft does under ABORT: "braking and backing away"
     goal: str = 'success'       # what a good flight is: "docking within the limits"
@@ -821,6 +823,8 @@ class Display:
     def __post_init__(self) -> None:
         require(bool(self.measured), 'display.measured', 'name a signal', repr(self.measured))
         require(len(self.views) > 0, 'display.views', 'be one or more', self.views)
+        require(set(self.modes) <= set(MODES), 'display.modes', f'be some of {", ".join(MODES)}',
+                self.modes)
         names = [item.name for item in (*self.bodies, *self.surfaces, *self.lines)]
         twice = sorted({name for name in names if names.count(name) > 1})
         require(not twice, 'display: bodies, surfaces and lines', 'have names of their own',

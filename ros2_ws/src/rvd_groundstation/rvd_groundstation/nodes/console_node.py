@@ -2,43 +2,43 @@
 The console's node of one run: decodes what the page is shown, publishes the stick.
 """
 
+from importlib import import_module
 import threading
 import time
-from typing import Callable
+from typing import Any, Callable
 
-import numpy as np
 from rclpy.serialization import deserialize_message
 from sensor_msgs.msg import Joy
 from std_msgs.msg import Bool
 
-from rvd_dynamics.link.frame import Downlink, unpack_downlink
-from rvd_dynamics.diagram.ros.conversions import header_at, ns_of, state_from_msg
+from rvd_dynamics.diagram.ros import graph
+from rvd_dynamics.diagram.ros.conversions import header_at
 from rvd_dynamics.diagram.ros.node import WatchNode
-from rvd_dynamics.commands.levels import stick_levels
+from rvd_groundstation.console.decode import command_of, link_of, SAMPLES, telemetry_of
 from rvd_groundstation.console.hub import Hub
-from rvd_groundstation.console.protocol import Stick
-from rvd_interfaces.msg import (
-    LinkFrame, LinkStatus, PredictionScore, RelativeState, RunEvent, ThrustCommand, Verdict)
+from rvd_groundstation.console.protocol import RELEASED, Stick
+from rvd_groundstation.console.provider import display_of
+from rvd_interfaces.msg import LinkFrame, LinkStatus, RunEvent, ThrustCommand, Verdict
 from rvd_interfaces.srv import RunControl
 
 ACTIONS = {'pause': RunControl.Request.PAUSE, 'resume': RunControl.Request.RESUME,
            'mode': RunControl.Request.MODE, 'abort': RunControl.Request.ABORT}
-COUNTS = ('sent', 'delivered', 'late', 'lost', 'outage', 'corrupted', 'in_flight', 'queued')
-DELAYS = ('delay_p50', 'delay_p99', 'delay_max')
-# What the craft or the judge says on /run/events has not come down the link: not for the page.
-HEARD = ('command_blender', 'state_predictor', 'auto_controller', 'console')
-ALWAYS = ('PAUSE', 'RESUME')
-NEWEST = ('/ground/estimate', '/ground/prediction', '/ground/prediction_score',
-          '/ground/auto_command', '/link/back/status')      # decoded once per frame at most
+ALWAYS = ('PAUSE', 'RESUME')    # events that a page hears whoever says them
+LINK = '/link/back/status'
 DECODE_S = 1.0 / 30             # [s] wall time
-SERVICE_S = 2.0                 # [s] wall time to wait for /run/control
 
 
 class ConsoleNode(WatchNode):
-    """The eyes and the stick of one run."""
+    """
+    The eyes and the stick of one run.
+
+    The command that is sent gives the beat: with it a step of the ground is over. What else
+    comes once a step is kept as bytes and decoded once per frame at most.
+    """
 
     def __init__(self, hub: Hub, call_soon: Callable) -> None:
         super().__init__('console')
+        self.provider = display_of(self.mission)
         self._hub, self._call_soon = hub, call_soon
         self._raw: dict[str, bytes] = {}
         self._decoded_at = 0.0
@@ -48,10 +48,14 @@ class ConsoleNode(WatchNode):
         self._stamp_ns = -1                     # of the last Joy; -1: not ready yet
         self._gate = threading.Lock()           # the page's thread publishes, ours ends the node
         self._left = False
-        for topic in NEWEST:
-            self.watch(topic, KINDS[topic], self._keeper(topic), raw=True)
-        self.watch('/ground/telemetry', LinkFrame, self._on_telemetry)
-        self.watch('/ground/command', ThrustCommand, self._on_command)
+        display = self.provider.display
+        self._kinds = {topic: graph.TOPICS[topic] for topic in self.spec.watches
+                       if graph.TOPICS[topic] in SAMPLES and topic != display.commands.sent}
+        for topic, kind in self._kinds.items():
+            self.watch(topic, class_of(kind), self._keeper(topic), raw=True)
+        self.watch(LINK, LinkStatus, self._keeper(LINK), raw=True)
+        self.watch(display.measured, LinkFrame, self._on_telemetry)
+        self.watch(display.commands.sent, ThrustCommand, self._on_command)
         self.watch('/run/pause', Bool, lambda m: hub.post('paused', m.data))
         self.watch('/run/events', RunEvent, self._on_event)
         self.watch('/run/verdict', Verdict, self._on_verdict)
@@ -64,70 +68,35 @@ class ConsoleNode(WatchNode):
         return keep
 
     def _on_telemetry(self, frame: LinkFrame) -> None:
-        if frame.empty:
-            if frame.step > self.mission.back_steps:
-                self._hub.post('telemetry_lost', frame.step, 'EMPTY')
-            return
-        content = unpack_downlink(bytes(frame.payload))
-        if isinstance(content, Downlink) and np.isfinite(content.state).all():
-            self._hub.post('telemetry', frame.step, frame.sent, frame.arrived,
-                           content.generated_ns, content.state, content.accepted_sequence,
-                           content.refusal)
-        else:
-            self._hub.post('telemetry_lost', frame.step, getattr(content, 'name', 'NAN'))
+        self._hub.post('telemetry', telemetry_of(frame, self.mission.step_s))
 
     def _on_command(self, command: ThrustCommand) -> None:
         self.step, self._command_at = command.step, time.monotonic()
         if self._command_at - self._decoded_at >= DECODE_S:
             self._decoded_at = self._command_at
             self._decode_newest()
-        self._hub.post('command', command.step, command.sequence, command.kind,
-                       command.levels.tolist(), command.decided_by, command.pilot_weight,
-                       command.reason)
+        self._hub.post('command', command_of(command))
         self.diagnose()
 
     def _decode_newest(self) -> None:
         raw, self._raw = self._raw, {}
         for topic, data in raw.items():
-            getattr(self, DECODERS[topic])(deserialize_message(data, KINDS[topic]))
-
-    def _decode_estimate(self, message: RelativeState) -> None:
-        self._post_state('est', message)
-
-    def _decode_prediction(self, message: RelativeState) -> None:
-        self._post_state('pred', message)
-
-    def _post_state(self, name: str, message: RelativeState) -> None:
-        covariance = np.asarray(message.covariance)
-        sigma = None if np.isnan(covariance[0]) else np.sqrt(
-            np.maximum(covariance.reshape(6, 6).diagonal(), 0.0))
-        self._hub.post('state', name, message.step, ns_of(message.header.stamp),
-                       state_from_msg(message), sigma, message.valid)
-
-    def _decode_score(self, score: PredictionScore) -> None:
-        if score.valid:
-            e, v = score.position_error, score.velocity_error
-            self._hub.post('score', score.step, ns_of(score.header.stamp),
-                           [e.x, e.y, e.z, v.x, v.y, v.z], score.sigma.tolist(),
-                           score.rms.tolist(), score.scored)
-
-    def _decode_auto(self, command: ThrustCommand) -> None:
-        self._hub.post('automatic', command.levels.tolist(), command.valid)
-
-    def _decode_link(self, status: LinkStatus) -> None:
-        self._hub.post('link', {name: getattr(status, name) for name in COUNTS + DELAYS})
+            if topic == LINK:
+                self._hub.post('link', link_of(deserialize_message(data, LinkStatus)))
+                continue
+            kind = self._kinds[topic]
+            sample = SAMPLES[kind](deserialize_message(data, class_of(kind)))
+            if sample is not None:
+                self._hub.post('signal', topic, sample)
 
     def _on_event(self, event: RunEvent) -> None:
-        if event.node in HEARD or event.code in ALWAYS:
+        if event.node in self.provider.heard_nodes or event.code in ALWAYS:
             self._hub.post('event', {'t': event.step * self.mission.step_s, 'node': event.node,
                                      'code': event.code, 'text': event.text})
 
-    def _on_verdict(self, v: Verdict) -> None:
-        if v.final:                             # before, it would be truth
-            self._hub.post('final', {
-                'success': v.success, 'reason': v.reason, 'duration': v.duration,
-                'closing': v.x_rate, 'offset': v.offset, 'lateral': v.lateral_rate,
-                'margin': v.min_corridor_margin, 'exit': v.exit_time, 'delta_v': v.delta_v})
+    def _on_verdict(self, verdict: Verdict) -> None:
+        if verdict.final:                       # before, it would be truth
+            self._hub.post('final', self.provider.verdict(verdict))
             self.finish()
 
     def on_end(self) -> None:
@@ -137,24 +106,18 @@ class ConsoleNode(WatchNode):
 
     # -- from the page (called on the event loop's thread) --------------------------------
 
-    def joy(self, stick: Stick) -> list[int]:
-        """Publish a stick sample as Joy; return the levels it means."""
-        s = self.mission.stick
-        axes = [0.0] * (1 + max(s.axis_x, s.axis_y, s.axis_z))
-        axes[s.axis_x] = s.sign_x * stick.deflection[0]
-        axes[s.axis_y] = s.sign_y * stick.deflection[1]
-        axes[s.axis_z] = s.sign_z * stick.deflection[2]
-        buttons = [0] * (s.deadman_button + 1)
-        if buttons:
-            buttons[-1] = int(stick.held)
-        elif not stick.held:                    # no dead-man button to open: say nothing
-            return [0, 0, 0]
+    def joy(self, stick: Stick) -> list[float]:
+        """Publish a stick sample as Joy; return the command that it means."""
+        made = self.provider.joy(stick.deflection, stick.held)
+        if made is None:
+            return [0.0] * len(self.provider.display.commands.axes)
+        axes, buttons = made
         with self._gate:
             if not self._left and (self._stamp_ns >= 0 or not stick.held):
                 self._joy.publish(Joy(header=header_at(self._next_stamp(),
                                                        f'console {stick.sequence}'),
                                       axes=axes, buttons=buttons))
-        return stick_levels(axes, buttons, s)[0].tolist()
+        return self.provider.pilot(axes, buttons)[0]
 
     def _next_stamp(self) -> int:
         """
@@ -173,7 +136,7 @@ class ConsoleNode(WatchNode):
 
     def on_ready(self) -> None:
         """Open the tape: nobody has the stick at 0."""
-        self.joy(Stick(False, 0, (0.0, 0.0, 0.0)))
+        self.joy(RELEASED)
 
     def event(self, code: str, text: str) -> None:
         """Say on /run/events that something happened, as long as there is a run."""
@@ -196,9 +159,7 @@ class ConsoleNode(WatchNode):
             reply, f.result().accepted, f.result().message))
 
 
-KINDS = {'/ground/estimate': RelativeState, '/ground/prediction': RelativeState,
-         '/ground/prediction_score': PredictionScore, '/ground/auto_command': ThrustCommand,
-         '/link/back/status': LinkStatus}
-DECODERS = {'/ground/estimate': '_decode_estimate', '/ground/prediction': '_decode_prediction',
-            '/ground/prediction_score': '_decode_score', '/ground/auto_command': '_decode_auto',
-            '/link/back/status': '_decode_link'}
+def class_of(kind: str) -> Any:
+    """Return the message class of a type as ROS names it."""
+    package, folder, name = kind.split('/')
+    return getattr(import_module(f'{package}.{folder}'), name)

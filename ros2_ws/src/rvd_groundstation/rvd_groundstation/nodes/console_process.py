@@ -35,6 +35,7 @@ def _options(arguments: list[str]) -> argparse.Namespace:
     parser.add_argument('--socket', type=Path, required=True)
     parser.add_argument('--runs', type=Path)
     parser.add_argument('--session', type=Path)
+    parser.add_argument('--display', type=Path)
     parser.add_argument('--bind', default='127.0.0.1')
     parser.add_argument('--port', type=int, default=8480)
     parser.add_argument('--tls-cert', default='')
@@ -48,7 +49,10 @@ async def _serve_runs(options: argparse.Namespace) -> int:
     if options.session is not None:
         from rvd_groundstation.console.desk import Desk, read_session
         desk = Desk(read_session(options.session), options.runs)
-    hub = Hub(ask=say, desk=desk)
+    display = None
+    if options.display is not None:
+        display = json.loads(options.display.read_text(encoding='utf-8'))
+    hub = Hub(ask=say, desk=desk, display=display)
     server = Server(hub, Address(options.bind, options.port, options.tls_cert, options.tls_key),
                     options.runs)
     from rvd_groundstation.nodes import console_node    # noqa: F401 - now, not in a flight
@@ -151,7 +155,7 @@ def _spin(hub: Hub, arguments: list[str], stop: threading.Event,
     node = None
     try:
         node = ConsoleNode(hub, loop.call_soon_threadsafe)
-        loop.call_soon_threadsafe(hub.begin, hub.run_name or 'run', node.mission, node)
+        loop.call_soon_threadsafe(hub.begin, hub.run_name or 'run', node.provider, node)
         executor = SingleThreadedExecutor()
         executor.add_node(node)
         while not stop.is_set() and not node.done.done():
