@@ -10,6 +10,7 @@ import numpy as np
 
 from rvd_campaign.loop import fly
 from rvd_campaign.scenario import load
+from rvd_dynamics.commands.levels import HIGHEST, stick_axes
 from rvd_dynamics.mission import Mission
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -34,11 +35,7 @@ def main() -> None:
 
 def write(name: str, meaning: str, mission: Mission, t_s, levels) -> None:
     """Write the samples at which the stick moves; the last holds to the end of the tape."""
-    stick = mission.stick
-    axes = np.zeros((len(levels), 5))
-    for index, sign, column in ((stick.axis_x, stick.sign_x, 0), (stick.axis_y, stick.sign_y, 1),
-                                (stick.axis_z, stick.sign_z, 2)):
-        axes[:, index] = sign * levels[:, column] / 3.0
+    axes = np.array([stick_axes(row / HIGHEST, True, mission.stick)[0] for row in levels])
     moved = np.append(True, np.any(np.diff(axes, axis=0), axis=1))
     rows = [(t, *row) for t, row, new in zip(t_s, axes, moved) if new] + [(END_S, *axes[-1])]
     lines = [f'# {meaning}',

@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 #
-# Set up everything the project needs in .rvd/ of its directory: a Python environment from
+# Set up everything that the project needs in its own .rvd/: a Python environment from
 # requirements.lock, the built workspace, and env.sh, which loads both.
 #
 #   scripts/setup.sh [--again]          --again: from nothing, whatever is there
 #
 # Runs on first use of `./rvd`, and again when the lock file, a message, a package's build files,
-# the place of the project or the Python changed. What a stage made counts only once the record
-# of its inputs is written, which is its last act: a set-up killed at any point is repaired by
-# the next. One set-up at a time: others wait, then find the work done.
+# the location of the project or the Python has changed. A stage counts as done only once the
+# record of its inputs is written, which is its last act: a set-up killed at any point is repaired
+# by the next. Only one set-up runs at a time: others wait, then find the work done.
 
 set -euo pipefail
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd -P)
@@ -18,8 +18,8 @@ say() { printf 'rvd: %s\n' "$*" >&2; }
 
 # ------------------------------------------------------------------------------- what is needed
 
-# Succeeds for a Python that the wheels exist for; prints the interpreter behind shims and links,
-# so that the environment stands on a name which an upgrade of `python3` does not move.
+# Succeeds for a Python for which there are wheels; prints the interpreter behind shims and links,
+# so that the environment is built on a name that an upgrade of `python3` does not move.
 supported_python() {
     "$1" -I - 2> /dev/null << 'PYTHON'
 import os, sys
@@ -29,7 +29,7 @@ sys.exit(not (3, 10) <= sys.version_info[:2] <= (3, 13) or sys.implementation.na
 PYTHON
 }
 
-# Print what the Python $1 lacks as Debian packages, nothing when it is complete.
+# Print what the Python $1 lacks, as Debian packages; nothing if it is complete.
 python_lacks() {
     "$1" -I - << 'PYTHON'
 import importlib.util, os, sys, sysconfig
@@ -44,11 +44,11 @@ if not os.path.exists(os.path.join(sysconfig.get_path('include'), 'Python.h')):
 PYTHON
 }
 
-# Set `python` to the interpreter to build on, and `lacks` to the packages that complete it: the
-# first complete one of the candidates, else the first that is supported, else nothing.
+# Set `python` to the interpreter to build on, and `lacks` to the packages that would complete it:
+# the first complete candidate, else the first that is supported, else nothing.
 find_python() {
     local candidate base gaps candidates=(python3 python3.12 python3.11 python3.13 python3.10)
-    [[ $ros != wheels ]] && candidates=(/usr/bin/python3 python3)       # the one ROS is built for
+    [[ $ros != wheels ]] && candidates=(/usr/bin/python3 python3)       # the one that ROS is built for
     [[ -n ${RVD_PYTHON:-} ]] && candidates=("$RVD_PYTHON")
     python='' lacks=''
     for candidate in "${candidates[@]}"; do
@@ -91,8 +91,8 @@ check_machine() {
 
 # ---------------------------------------------------------------------------- progress by stage
 
-# stage NAME LABEL COMMAND...: run it with its output in .rvd/log/NAME.log; show the time it takes,
-# on a terminal with the last line of the log. Ends the set-up with the log's end when it fails.
+# stage NAME LABEL COMMAND...: run the command with its output in .rvd/log/NAME.log and show the time
+# it takes, on a terminal with the last line of the log. If it fails, show the end of the log and exit.
 stage() {
     local name=$1 label=$2 log=$state/log/$1.log start=$SECONDS reporter status
     shift 2
@@ -107,7 +107,7 @@ stage() {
     [[ -t 2 ]] && printf '\r\e[K' >&2
     if ((status)); then
         tail -n 15 "$log" >&2
-        die "set-up failed while $label; the whole log is .rvd/log/$name.log, try again: ./rvd setup"
+        die "set-up failed while $label; the whole log is .rvd/log/$name.log; to try again: ./rvd setup"
     fi
     say "$label: $((SECONDS - start)) s"
 }
@@ -129,7 +129,7 @@ report_progress() {
 # --------------------------------------------------------------------------- Python environment
 
 pip() {
-    # Settings of the machine choose the index; none may change what is installed, or where.
+    # The machine's settings may choose the index, but not what is installed, or where.
     env -u PIP_TARGET -u PIP_PREFIX -u PIP_ROOT -u PIP_REQUIREMENT -u PIP_EDITABLE -u PIP_NO_BINARY \
         -u PIP_ONLY_BINARY PIP_CONSTRAINT=/dev/null PIP_USER=0 PIP_DISABLE_PIP_VERSION_CHECK=1 \
         "$venv/bin/python" -m pip "$@"
@@ -137,14 +137,14 @@ pip() {
 
 create_environment() {
     local options=()
-    rm -f "$venv/complete"                      # the rest takes longer, and may be killed
+    rm -f "$venv/complete"                      # the rest takes longer and may be killed
     rm -rf "$venv" "$state"/{build,install,env.sh}
     [[ $ros != wheels ]] && options=(--system-site-packages)
     "$python" -m venv "${options[@]}" "$venv"
     printf '%s\n' "${RVD_PYTHON:-}" "$python" > "$state/python"
 }
 
-# install TOOL FILE: the entries of a lock file, exactly these.
+# install TOOL FILE: install exactly the entries of a lock file.
 install() {
     local tool=("$1")
     [[ $1 == uv ]] && tool=(env -u UV_CONSTRAINT -u UV_OVERRIDE "$venv/bin/python" -m uv pip)
@@ -158,10 +158,10 @@ install_packages() {
     else
         (load_underlay && "$python" "$root/scripts/lock_beside_ros.py" "$root/requirements.lock") > "$lock"
     fi
-    # First what installs the rest: uv, and setuptools for the one entry that has no wheel.
+    # First come the tools that install the rest: uv, and setuptools for the one entry without a wheel.
     awk '/^[A-Za-z]/ { tool = /^(uv|setuptools)==/ } tool' "$lock" > "$tools"
     install pip "$tools"
-    # uv takes a third of pip's time, but knows nothing of an index that is set for pip.
+    # uv takes a third of pip's time, but does not know an index that is configured for pip.
     if pip config list | grep -E '\.(index-url|no-index|proxy)=' || ! install uv "$lock"; then
         install pip "$lock"
     fi
@@ -172,7 +172,7 @@ install_packages() {
 
 # ------------------------------------------------------------------------------------ workspace
 
-# The environment below the workspace: ROS and the tools, and no settings of the user for colcon.
+# The environment below the workspace: ROS and the tools, without the user's settings for colcon.
 load_underlay() {
     export PATH=$venv/bin:$PATH COLCON_HOME=$state/colcon
     if [[ $ros == wheels ]]; then
@@ -195,7 +195,7 @@ build_workspace() {
 
 # --------------------------------------------------------------------------------- environment
 
-# Print NAME=value, each ended by a NUL, as loading ROS and the workspace sets them from nothing.
+# Print the variables that loading ROS and the workspace sets from nothing: NAME=value, NUL-terminated.
 loaded_variables() {
     env -i HOME="$HOME" PATH=/usr/bin:/bin bash --noprofile --norc -c '
         [[ $1 == wheels ]] && export AMENT_PREFIX_PATH=$2/venv CMAKE_PREFIX_PATH=$2/venv
@@ -204,13 +204,13 @@ loaded_variables() {
         exec env -0' bash "$ros" "$state" 2> /dev/null
 }
 
-# Write env.sh: what loading ROS and the workspace does, as assignments. Loading them anew takes
-# the time of several Python starts at every call, this takes a millisecond.
+# Write env.sh: the effect of loading ROS and the workspace, as assignments. Loading them takes as
+# long as several Python starts at every call; env.sh takes a millisecond.
 write_environment() {
     local name value
     local -A lists=([PATH]=$venv/bin)
     {
-        echo '# Made by scripts/setup.sh; `source` it in bash to have ROS and the workspace loaded.'
+        echo '# Made by scripts/setup.sh; `source` it in bash to load ROS and the workspace.'
         declare -f rvd_prepend
         while IFS='=' read -r -d '' name value; do
             case $name in
@@ -223,14 +223,14 @@ write_environment() {
             esac
         done < <(loaded_variables)
         if [[ $ros == wheels ]]; then
-            # What the wheels do for themselves by starting every Python twice (45 ms each).
+            # What the wheels would do for themselves by starting every Python twice (45 ms each).
             for value in "$venv/lib" "$venv"/lib/python3*/site-packages/ros_*.libs; do
                 lists[LD_LIBRARY_PATH]+=:$value
             done
             echo 'export _ROS_WHEELS_BOOTSTRAP_COMPLETE=1'
             echo 'unset AMENT_PREFIX_PATH CMAKE_PREFIX_PATH COLCON_PREFIX_PATH PYTHONPATH'
         else
-            echo 'export PYTHONNOUSERSITE=1     # a numpy of the user would hide the one of ROS'
+            echo 'export PYTHONNOUSERSITE=1     # a numpy of the user would hide that of ROS'
         fi
         for name in "${!lists[@]}"; do
             echo "rvd_prepend $name ${lists[$name]@Q}"
@@ -238,14 +238,14 @@ write_environment() {
         echo 'unset PYTHONHOME PYTHONDONTWRITEBYTECODE    # without bytecode a start takes seconds'
         echo "export RVD_ROOT=${root@Q} VIRTUAL_ENV=${venv@Q}"
         echo 'export ROS_AUTOMATIC_DISCOVERY_RANGE="${ROS_AUTOMATIC_DISCOVERY_RANGE:-LOCALHOST}"'
-        echo '# Many small processes: threads for their linear algebra only get in the way.'
+        echo '# There are many small processes: linear-algebra threads would only get in their way.'
         echo 'export OPENBLAS_NUM_THREADS="${OPENBLAS_NUM_THREADS:-1}"'
         echo 'export OMP_NUM_THREADS="${OMP_NUM_THREADS:-1}"'
     } > "$state/env.new"
     mv "$state/env.new" "$state/env.sh"
 }
 
-# rvd_prepend VARIABLE ENTRIES: put in front those not there yet; entries of any .rvd go first.
+# rvd_prepend VARIABLE ENTRIES: drop the entries of any .rvd, then put in front those not there yet.
 rvd_prepend() {
     local entry old=() new=() kept='' front=''
     IFS=: read -ra old <<< "${!1:-}"
@@ -260,7 +260,7 @@ rvd_prepend() {
     export "$1=${kept#:}"
 }
 
-# Import what the nodes import: proves the set-up, and leaves the bytecode for the first run.
+# Import what the nodes import: this proves the set-up and leaves the bytecode for the first run.
 check_environment() {
     source "$state/env.sh"
     python - << 'PYTHON'
@@ -296,9 +296,9 @@ set_up() {
     if [[ $before != "$packages" ]] || ! same_python; then
         why='first use'
         [[ -d $venv ]] && why='the last set-up was interrupted'
-        [[ -n $before ]] && why='the lock file, ROS, the Python or the place of the project changed'
-        [[ -n $again ]] && why='asked for'
-        say "setting up in $state ($why): a minute or two, 1 GB"
+        [[ -n $before ]] && why='the lock file, ROS, the Python or the location of the project changed'
+        [[ -n $again ]] && why='requested'
+        say "setting up in $state ($why): takes a minute or two and 1 GB"
         stage environment "making the environment ($("$python" -V 2>&1))" create_environment
         stage packages "installing $(grep -c '^[A-Za-z]' "$root/requirements.lock") pinned packages" \
             install_packages
@@ -307,12 +307,12 @@ set_up() {
 
     before=$(recorded "$state/build/complete") || true
     if [[ $before != "$build" ]]; then
-        # What a removed file left behind, or an interrupted build, is not for colcon to mend.
+        # Colcon does not clean up after a removed file or an interrupted build.
         [[ -n $before && -z $(gone_from "$before" "$build") ]] || rm -rf "$state"/{build,install}
         rm -f "$state/build/complete"
         stage build 'building the workspace' build_workspace
         write_environment
-        stage check 'checking that all of it loads' check_environment
+        stage check 'checking that everything loads' check_environment
         echo "$build" > "$state/build/complete"
     fi
     [[ -r $state/env.sh ]] || write_environment
@@ -321,7 +321,7 @@ set_up() {
     say "ready after $((SECONDS - started)) s"
 }
 
-gone_from() {                                   # gone_from BEFORE NOW: files that are no more
+gone_from() {                                   # gone_from BEFORE NOW: files that no longer exist
     comm -23 <(cut -c67- <<< "$1" | sort) <(cut -c67- <<< "$2" | sort)
 }
 
@@ -331,12 +331,12 @@ case "${1:-}" in
     *) die "setup takes --again or nothing, not '$1'" ;;
 esac
 mkdir -p "$state" 2> /dev/null || die "cannot write to $root"
-exec 9> "$state/lock"                           # held by all children too, if this one is killed
+exec 9> "$state/lock"                           # the children hold it too if this process is killed
 if ! flock --nonblock 9; then
-    say 'another set-up is at work here: waiting for it'
+    say 'another set-up is running here: waiting for it'
     flock 9
 fi
-trap 'say "interrupted; the next call repairs it"; exit 130' INT
+trap 'say "interrupted; the next command repairs it"; exit 130' INT
 find_ros
 unset PYTHONHOME _ROS_WHEELS_BOOTSTRAP_COMPLETE
 if [[ $ros == wheels ]]; then                   # whatever else this shell has loaded

@@ -1,7 +1,7 @@
-# Where the set-up lives, and whether it is up to date. Sourced by `rvd` and `scripts/setup.sh`.
+# Where the set-up is, and whether it is up to date. Sourced by `rvd` and `scripts/setup.sh`.
 #
-# Expects `root`, the project's directory. It starts no Python and two short processes (sha256sum),
-# since every warm call of `./rvd` passes through here.
+# Expects `root`, the project's directory. It starts no Python and only two short processes
+# (sha256sum), since every warm call of `./rvd` passes through here.
 
 state=$root/.rvd
 venv=$state/venv
@@ -11,7 +11,7 @@ die() {                                         # one line, exit 2: nothing was 
     exit 2
 }
 
-# Set `ros` to the prefix of an installed ROS 2 Jazzy, to `sourced` when the shell has one loaded
+# Set `ros` to the prefix of an installed ROS 2 Jazzy, to `sourced` if the shell has one loaded
 # from elsewhere, or to `wheels`. RVD_ROS_PREFIX names another prefix; `none` asks for the wheels.
 find_ros() {
     local prefix=${RVD_ROS_PREFIX:-/opt/ros/jazzy}
@@ -28,8 +28,8 @@ find_ros() {
     fi
 }
 
-# Print what the set-up was made from: compared as text with what was printed then.
-# The version goes up when the steps of setup.sh change in a way that old results do not satisfy.
+# Print what a set-up is made from; it is compared as text with what was printed when it was made.
+# The version goes up when setup.sh changes so that old results no longer satisfy it.
 venv_inputs() {
     echo "version 1, ROS $ros"
     sha256sum "$root/requirements.lock"
@@ -43,7 +43,7 @@ build_inputs() {
     sha256sum "${files[@]}"
 }
 
-recorded() {                                    # recorded FILE: its text, nothing when missing
+recorded() {                                    # recorded FILE: its text, nothing if it is missing
     [[ -r $1 ]] && printf '%s' "$(<"$1")"
 }
 

@@ -170,7 +170,8 @@ def test_a_run_over_dds_is_the_row_of_the_campaign(condition, flown):
     verdict = json.loads((out / 'verdict.json').read_text())
     assert (verdict['reason'], verdict['seed'], verdict['run']) == (rows['reason'][at], 5, run)
     assert verdict['duration_s'] == rows['duration_s'][at]
-    assert verdict['min_corridor_margin_m'] == rows['min_corridor_margin_m'][at]
+    for name in ('min_corridor_margin_m', 'delta_v_m_s'):
+        assert verdict['measures'][name]['value'] == rows[name][at]
 
 
 REFUSED = {

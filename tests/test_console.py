@@ -8,7 +8,7 @@ import urllib.request
 import pytest
 from console_page import (
     chromium, Console, FLAGS, fly_by_keys, open_page, playwright, serious, take_and_start, until)
-from runs import messages, ROOT, rvd, verdict_of, wait_for
+from runs import messages, rvd, verdict_of, wait_for
 
 pytestmark = pytest.mark.slow
 STEP_NS = 500_000_000           # of the scenario `barrier`

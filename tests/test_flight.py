@@ -9,6 +9,8 @@ import yaml
 from runs import counts, messages, rvd, states, verdict_of
 
 from rvd_dynamics.diagram.ros import graph
+from rvd_dynamics.judge import Judge
+from rvd_dynamics.mission import Mission
 
 BALANCE = ('delivered', 'late', 'lost', 'outage', 'duplicate_dropped', 'in_flight', 'queued')
 
@@ -29,8 +31,12 @@ def test_run_folder_is_complete(flight):
 def test_verdict_has_every_field_and_links_that_balance(flight, rough_flight):
     for flown in (flight, rough_flight):
         verdict = verdict_of(flown.run)
-        assert {'success', 'reason', 'mode', 'seed', 'scenario', 'duration_s', 'terminal',
-                'min_corridor_margin_m', 'delta_v_m_s', 'link'} <= set(verdict)
+        assert list(verdict) == ['success', 'reason', 'mission', 'scenario', 'mode', 'operator',
+                                 'seed', 'run', 'duration_s', 'measures', 'link']
+        assert list(verdict['measures']) == [m.name for m in Judge(Mission()).measures]
+        for measure in verdict['measures'].values():
+            assert list(measure) == ['value', 'unit', 'limit', 'ok']
+        assert verdict['success'] == all(m['ok'] for m in verdict['measures'].values())
         for link in verdict['link'].values():
             assert link['sent'] + link['duplicated'] == sum(link[name] for name in BALANCE)
     rough = verdict_of(rough_flight.run)['link']
@@ -48,8 +54,9 @@ def test_verdict_agrees_with_the_truth_in_the_bag(flight):
         pytest.fail(f'this seed was chosen because it reaches the plane: {verdict}')
     part = -before[0] / (after[0] - before[0])
     at_plane = before[:6] + part * (after[:6] - before[:6])
-    assert verdict['terminal']['offset_m'] == pytest.approx(np.hypot(*at_plane[1:3]), abs=2e-3)
-    assert verdict['terminal']['x_rate_m_s'] == pytest.approx(at_plane[3], abs=1e-3)
+    value = {name: m['value'] for name, m in verdict['measures'].items()}
+    assert value['offset_m'] == pytest.approx(np.hypot(*at_plane[1:3]), abs=2e-3)
+    assert value['x_rate_m_s'] == pytest.approx(at_plane[3], abs=1e-3)
     assert verdict['duration_s'] == pytest.approx((len(truth) - 2 + part) * 0.5, abs=0.02)
 
 
@@ -120,5 +127,8 @@ def test_verdict_on_the_topic_is_the_verdict_in_the_file(flight):
     final = messages(flight.run, '/run/verdict')[-1]
     verdict = verdict_of(flight.run)
     assert final.final and final.success == verdict['success']
-    assert final.min_corridor_margin == verdict['min_corridor_margin_m']
+    on_topic = {m.name: (m.value, m.unit, m.ok) for m in final.measures}
+    in_file = {name: (np.nan if m['value'] is None else m['value'], m['unit'], m['ok'])
+               for name, m in verdict['measures'].items()}
+    assert repr(on_topic) == repr(in_file)              # NaN too
     assert json.loads((flight.run / 'verdict.json').read_text())['seed'] == 3

@@ -516,7 +516,7 @@ def test_a_moved_project_sets_itself_up_in_its_new_place(ready, tmp_path):
     moved = tmp_path / 'moved'
     shutil.move(project, moved)                  # the last test here: nothing goes on with it
     done = rvd(moved, 'shell', 'pytest', '--version')
-    assert done.returncode == 0 and 'the place of the project changed' in done.stderr
+    assert done.returncode == 0 and 'the location of the project changed' in done.stderr
     for folder in ['venv/bin', 'install/rvd_dynamics/lib/rvd_dynamics']:
         for path in (moved / '.rvd' / folder).iterdir():
             assert not path.is_file() or str(project).encode() not in path.read_bytes()[:300]

@@ -44,7 +44,7 @@ class ToyDisplay(MissionDisplay):
             commands=Commands('Force', (CommandAxis('push', STRONGEST),), PUSH,
                               (CommandRow('sent', 'sent', Ref(PUSH, 'value')),), 2, 'N'),
             controller=Controller((Axis('x', 'right', 'left', (('KeyD', 'KeyA'),)),)),
-            modes=(), reasons={'arrived': 'Arrived at the buffer'}))
+            modes=()))
 
 
 def place_at(t: float) -> float:

@@ -11,6 +11,7 @@ NODES = [
     'mission_monitor',
     'bag_recorder',
     'markers',
+    'block_group',
 ]
 
 setup(
@@ -28,5 +29,5 @@ setup(
     maintainer_email='maintainers@example.org',
     description='World, link and shared mathematics of the teleoperated docking ground loop.',
     license='Apache-2.0',
-    entry_points={'console_scripts': [f'{node} = {NAME}.nodes.{node}:main' for node in NODES]},
+    entry_points={'console_scripts': [f'{node} = {NAME}.diagram.ros.main:main' for node in NODES]},
 )

@@ -9,7 +9,6 @@ NODES = [
     'command_blender',
     'joystick_replay',
     'operator_model',
-    'console',
 ]
 
 setup(
@@ -28,5 +27,7 @@ setup(
     maintainer_email='maintainers@example.org',
     description='Ground segment: predictor, guidance laws, command sharing and pilots.',
     license='Apache-2.0',
-    entry_points={'console_scripts': [f'{node} = {NAME}.nodes.{node}:main' for node in NODES]},
+    entry_points={'console_scripts': [
+        *(f'{node} = rvd_dynamics.diagram.ros.main:main' for node in NODES),
+        f'console = {NAME}.console.main:main']},
 )

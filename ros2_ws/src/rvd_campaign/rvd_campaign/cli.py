@@ -12,7 +12,7 @@ from rvd_campaign.exits import CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_INTERRUPT
 
 
 class Parser(argparse.ArgumentParser):
-    """Says what is wrong in one line."""
+    """A parser that says what is wrong in one line."""
 
     def error(self, message: str) -> None:
         """Print one line and exit with code 2."""
@@ -48,40 +48,44 @@ def parser() -> argparse.ArgumentParser:
 def _add_fly(commands: argparse._SubParsersAction) -> None:
     fly = commands.add_parser(
         'fly', help='fly one approach over DDS',
-        description='Bring the node graph up, fly one approach, print the verdict, leave a run '
+        description='Bring up the node graph, fly one approach, print the verdict and leave a run '
                     'folder with bag/, verdict.json, scenario.yaml, report.html and logs/.',
         epilog='Exit codes: 0 docked, 1 flown and failed, 2 could not run, 130 Ctrl-C.')
     fly.add_argument('scenario', nargs='?', metavar='SCENARIO',
-                     help='name in `rvd list scenarios` or a file (default: paper; with '
+                     help='name from `rvd list scenarios`, or a file (default: paper; with '
                           '--operator console: hand)')
     fly.add_argument('--mode', choices=('shared', 'manual', 'auto'),
-                     help='who decides (default: the scenario, else shared)')
+                     help='who decides (default: that of the scenario, else shared)')
+    fly.add_argument('--processes', choices=('blocks', 'segments', 'one'),
+                     help='how nodes share processes: each its own, one for each segment (space, '
+                          'link, ground ...), or all in one, the fastest (default: the scenario, '
+                          'else blocks)')
     fly.add_argument('--operator', choices=('model', 'replay', 'console', 'joy', 'none'),
-                     help='the pilot (default: the scenario, else model)')
+                     help='the pilot (default: that of the scenario, else model)')
     fly.add_argument('--tape', metavar='FILE',
-                     help='with --operator replay: name in `rvd list tapes`, CSV file or bag')
+                     help='with --operator replay: name from `rvd list tapes`, CSV file or bag')
     fly.add_argument('--pace', metavar='lockstep|realtime|FACTOR',
-                     help='lockstep: as fast as it goes; realtime; or FACTOR times real time '
-                          '(default: 10; for a person at a stick realtime)')
+                     help='lockstep: as fast as possible; realtime; or FACTOR times real time '
+                          '(default: 10, or realtime for a person at a stick)')
     fly.add_argument('--seed', type=int, metavar='N', help='seed of every random stream')
     fly.add_argument('--out', metavar='DIR',
-                     help='run folder, must not exist (default: runs/<time>-<scenario>)')
+                     help='run folder, must not exist yet (default: runs/<time>-<scenario>)')
     fly.add_argument('--from', dest='campaign', metavar='DIR',
                      help='fly a run of this campaign folder again, with --condition and --run')
     fly.add_argument('--condition', metavar='NAME', help='with --from: the condition')
     fly.add_argument('--run', type=int, metavar='K', dest='run_number',
                      help='with --from: the number of the run')
     fly.add_argument('--in-process', action='store_true',
-                     help='with --from: without DDS, only to see that the verdict is the same')
+                     help='with --from: without DDS, only to check that the verdict is the same')
     fly.add_argument('--headless', action='store_true',
                      help='no live progress and no markers for viewers')
     console = fly.add_argument_group('with --operator console')
     console.add_argument('--port', type=int, default=8480, metavar='N',
-                         help='port of the page (default: 8480; 0: any free one)')
+                         help='port of the page (default: 8480; 0: any free port)')
     console.add_argument('--bind', default='127.0.0.1', metavar='ADDRESS',
                          help='address of the page; any but 127.0.0.1 needs TLS')
     console.add_argument('--tls-cert', default='', metavar='FILE', help='TLS certificate')
-    console.add_argument('--tls-key', default='', metavar='FILE', help='its key')
+    console.add_argument('--tls-key', default='', metavar='FILE', help='key of the certificate')
     console.add_argument('--session', metavar='FILE',
                          help='lead a volunteer through the flights of a session file')
     fly.set_defaults(run=_fly)
@@ -100,20 +104,20 @@ def _add_report(commands: argparse._SubParsersAction) -> None:
 def _add_campaign(commands: argparse._SubParsersAction) -> None:
     campaign = commands.add_parser(
         'campaign', help='fly thousands of approaches in process',
-        description='Fly every condition of a campaign in paired runs; leave a folder with '
-                    'results.parquet, summary.json and report.html. What is finished is never '
-                    'flown again: stop it at any moment and go on with --resume.',
-        epilog='Exit codes: 0 done, 2 could not run, 130 Ctrl-C (go on with --resume).')
+        description='Fly every condition of a campaign in paired runs, and leave a folder with '
+                    'results.parquet, summary.json and report.html. Finished runs are never '
+                    'flown again: stop at any moment and continue with --resume.',
+        epilog='Exit codes: 0 done, 2 could not run, 130 Ctrl-C (continue with --resume).')
     campaign.add_argument('campaign', nargs='?', metavar='CAMPAIGN',
-                          help='name in `rvd list campaigns` or a file')
-    campaign.add_argument('--runs', type=int, metavar='N', help='runs of each condition')
+                          help='name from `rvd list campaigns`, or a file')
+    campaign.add_argument('--runs', type=int, metavar='N', help='runs per condition')
     campaign.add_argument('--workers', type=int, metavar='N',
                           help='processes that fly (default: one per core)')
     campaign.add_argument('--batch', type=int, metavar='N',
-                          help='runs that fly together; changes no result')
+                          help='runs that are flown together; does not change the result')
     campaign.add_argument('--out', metavar='DIR',
-                          help='folder, must not exist (default: runs/<time>-<campaign>)')
-    campaign.add_argument('--resume', metavar='DIR', help='go on in the folder of a campaign')
+                          help='folder, must not exist yet (default: runs/<time>-<campaign>)')
+    campaign.add_argument('--resume', metavar='DIR', help='continue the campaign of this folder')
     campaign.add_argument('--backend', choices=('local', 'dask', 'ray'), default='local',
                           help='processes of this machine, or a Dask or Ray cluster')
     campaign.add_argument('--scheduler', metavar='ADDRESS', help='of the cluster: tcp://HOST:PORT')
@@ -124,35 +128,35 @@ def _add_calibrate(commands: argparse._SubParsersAction) -> None:
     calibrate = commands.add_parser(
         'calibrate', help='fit the pilot to condition 1',
         description='Fit the free numbers of a pilot to the statistics of manual flights, say '
-                    'what these can identify and what not, and write a pilot file.')
+                    'what these can and cannot identify, and write a pilot file.')
     calibrate.add_argument('pilot', nargs='?', default='A', metavar='PILOT',
-                           help='where to begin: A, B, C or a pilot file (default: A)')
+                           help='pilot to start from: A, B, C or a pilot file (default: A)')
     calibrate.add_argument('--free', metavar='NAME[,NAME]',
                            help='numbers to fit (default: skill_gain; without display '
                                 'no_display_trust)')
     calibrate.add_argument('--runs', type=int, default=4000, metavar='N',
-                           help='runs for each look at a pilot (default: 4000)')
+                           help='runs for each evaluation of a pilot (default: 4000)')
     calibrate.add_argument('--seed', type=int, default=7, metavar='N',
-                           help='of the draws; the shipped campaigns have 1 (default: 7)')
+                           help='seed of the draws (default: 7; the shipped campaigns have 1)')
     calibrate.add_argument('--scenario', default='paper', metavar='SCENARIO')
     calibrate.add_argument('--workers', type=int, metavar='N',
                            help='processes that fly (default: one per core)')
     calibrate.add_argument('--quick', action='store_true',
-                           help='fit only, without the study of what is identifiable')
-    calibrate.add_argument('--out', metavar='FILE', help='pilot file to write, must not exist')
+                           help='fit only, and do not study what is identifiable')
+    calibrate.add_argument('--out', metavar='FILE', help='pilot file to write, must not exist yet')
     calibrate.set_defaults(run=_calibrate)
 
 
 def _add_list(commands: argparse._SubParsersAction) -> None:
-    listing = commands.add_parser('list', help='what there is to choose from',
-                                  description='List laws, scenarios, tapes or campaigns.')
-    listing.add_argument('what', choices=('laws', 'scenarios', 'tapes', 'campaigns'))
+    listing = commands.add_parser('list', help='list what there is to choose from',
+                                  description='List missions, laws, scenarios, tapes or campaigns.')
+    listing.add_argument('what', choices=('missions', 'laws', 'scenarios', 'tapes', 'campaigns'))
     listing.set_defaults(run=_list)
 
 
 def _add_bench(commands: argparse._SubParsersAction) -> None:
     bench = commands.add_parser(
-        'bench', help='the benchmarks',
+        'bench', help='measure the speed on this machine',
         description='Measure the graph against a hollow rclpy graph of the same shape, a warm '
                     'flight and the in-process loop, and say which targets are met. Leave the '
                     'machine alone meanwhile.')
@@ -160,7 +164,7 @@ def _add_bench(commands: argparse._SubParsersAction) -> None:
                        choices=('graph', 'flight', 'loop', 'campaign', 'console', 'all'),
                        help='what to measure (default: all but the console, about four minutes; '
                             'the console needs Chromium)')
-    bench.add_argument('--quick', action='store_true', help='one repeat of each, small batches')
+    bench.add_argument('--quick', action='store_true', help='one repetition each, small batches')
     bench.add_argument('--out', metavar='FILE', help='write the figures as JSON')
     bench.set_defaults(run=_bench)
 

@@ -23,7 +23,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rvd_dynamics.diagram import streams
-from rvd_dynamics.judge import Judge, Verdict
+from rvd_dynamics.diagram.judge import Verdict
+from rvd_dynamics.judge import ended, Judge
 from rvd_dynamics.link.models import LinkParams
 from rvd_dynamics.link.plan import intact_of_runs
 from rvd_dynamics.mission import Mission
@@ -156,9 +157,9 @@ def fly(settings: LoopSettings, runs: Sequence[int], record: bool = False,
     return flight if loop.ended.all() else _with_late_ones(settings, flight, loop.ended)
 
 
-def _with_late_ones(settings: LoopSettings, flight: Flight, ended: NDArray[np.bool_]) -> Flight:
+def _with_late_ones(settings: LoopSettings, flight: Flight, over: NDArray[np.bool_]) -> Flight:
     """Fly again, with all the draws there are, the few runs that outlast the usual ones."""
-    late = np.flatnonzero(~ended)
+    late = np.flatnonzero(~over)
     runs = flight.runs[late].tolist()
     whole = fly(settings, runs, draws=draw(settings, runs, whole=True))
 
@@ -167,8 +168,10 @@ def _with_late_ones(settings: LoopSettings, flight: Flight, ended: NDArray[np.bo
         mine[late] = theirs
         return mine
 
-    return Flight(flight.runs, merged(flight.end_step, whole.end_step),
-                  Verdict(*map(merged, flight.verdict, whole.verdict)),
+    usual, later = flight.verdict, whole.verdict
+    verdict = Verdict(*map(merged, usual[:3], later[:3]), {
+        name: merged(values, later.values[name]) for name, values in usual.values.items()})
+    return Flight(flight.runs, merged(flight.end_step, whole.end_step), verdict,
                   merged(flight.terminal, whole.terminal),
                   merged(flight.decided_steps, whole.decided_steps),
                   merged(flight.changed_steps, whole.changed_steps), None)
@@ -227,10 +230,7 @@ class _Loop:
                 s.dynamics.execution_noise_fraction)
             self._state = self._truth_model.advance(self._state, self._acceleration)
             self.judge.advance(step, self._state, self._acceleration)
-        x = self._state[:, 0]
-        over = (x >= 0.0) | (step >= s.mission.last_step)
-        if not np.isfinite(x).all():
-            over |= ~np.isfinite(self._state).all(axis=-1)
+        over = ended(step, self._state, s.mission.last_step)
         self.end_step[over & ~self.ended] = step
         self.ended |= over
 

@@ -14,7 +14,8 @@ from rvd_dynamics.recording.rosbag2 import qos_words
 from rvd_dynamics.diagram.ros import graph
 from rvd_dynamics.diagram.ros.conversions import header_at, state_to_msg, time_at, vector
 from rvd_interfaces.msg import (
-    LinkFrame, LinkStatus, PredictionScore, RelativeState, RunEvent, ThrustCommand, Verdict)
+    LinkFrame, LinkStatus, Measure, PredictionScore, RelativeState, RunEvent, ThrustCommand,
+    Verdict)
 
 STEP_NS = 500_000_000
 HOLD = 10                       # [steps] of each link
@@ -101,10 +102,21 @@ def step_messages(k: int) -> dict[str, object]:
             reason=codes.REASON_CHECKSUM if k == 55 else codes.REASON_NONE),
         '/run/verdict': Verdict(
             header=at, step=k, final=k == LAST, success=k == LAST,
-            reason='docked' if k == LAST else '', duration=k * 0.5,
-            x_rate=0.25 if k == LAST else np.nan, offset=0.1118 if k == LAST else np.nan,
-            lateral_rate=0.01 if k == LAST else np.nan, min_corridor_margin=0.188,
-            exit_time=np.nan, exit_position=vector((np.nan,) * 3), delta_v=0.01 * k)}
+            reason='docked' if k == LAST else '', words='docked' if k == LAST else '',
+            duration=k * 0.5, measures=[
+                measure('x_rate_m_s', 'closing rate at docking', 'm/s', 0.25, 0.0, 0.3, k == LAST),
+                measure('offset_m', 'lateral offset at docking', 'm', 0.1118, np.nan, 0.3,
+                        k == LAST),
+                measure('min_corridor_margin_m', 'least corridor margin', 'm', 0.188, 0.0, np.nan),
+                measure('delta_v_m_s', 'delta-v', 'm/s', 0.01 * k, np.nan, np.nan),
+                measure('exit_time_s', 'left the corridor at', 's', 0.0, np.nan, np.nan, False)])}
+
+
+def measure(name, words, unit, value, low, high, known=True) -> Measure:
+    """Return a measure that is within its limits if it is known."""
+    limited = not (np.isnan(low) and np.isnan(high))
+    return Measure(name=name, words=words, unit=unit, value=value if known else np.nan, low=low,
+                   high=high, ok=known or not limited, digits=3 if 'margin' in name else 4)
 
 
 def messages(steps: int = LAST + 1) -> list[tuple[str, int, object]]:

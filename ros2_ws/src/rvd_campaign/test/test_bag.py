@@ -9,6 +9,7 @@ from rosbags.rosbag2 import Reader
 import small_run
 from small_run import HOLD, LAST, LOST, write_run
 
+from rvd_dynamics.diagram.judge import from_message
 from rvd_dynamics.recording import reader
 from rvd_dynamics.recording.reader import files_of, mission_of, read
 from rvd_dynamics.commands import codes
@@ -77,7 +78,10 @@ def test_links_scores_stick_verdict_events_are_there(recording):
     assert len(recording.forward.counts['sent']) == LAST + 1
     assert_allclose(recording.score.error[recording.score.valid][-1], small_run.ERROR)
     assert_allclose(recording.joy.axes[4, :2], [1 / 3, (4 % 7 - 3) / 3], atol=1e-7)
-    assert recording.verdict['reason'] == 'docked' and recording.verdict['final']
+    sent = from_message(small_run.step_messages(LAST)['/run/verdict'])
+    assert repr(recording.verdict) == repr(sent)        # NaN too
+    assert recording.verdict.reason == 'docked' and recording.judged
+    assert recording.verdict.value('min_corridor_margin_m') == 0.188
     assert [e.code for e in recording.events] == ['REFUSED'] and recording.events[0].t == 27.5
     assert (recording.onboard.reason == codes.REASON_CHECKSUM).sum() == 1
 
@@ -127,7 +131,8 @@ def test_a_bag_cut_at_any_byte_is_read_up_to_there(tmp_path):
 
 def test_a_run_without_messages_has_arrays_without_rows(tmp_path):
     found = read(write_run(tmp_path, []))
-    assert found.last_step == -1 and found.verdict == {} and found.forward.last == {}
+    assert found.last_step == -1 and found.forward.last == {}
+    assert found.verdict is None and not found.judged
     for field in fields(found):
         value = getattr(found, field.name)
         for inner in (getattr(value, f.name) for f in fields(value)) if hasattr(

@@ -30,7 +30,7 @@ class FakeBench:
         for pilot in pilots:
             good = np.arange(self.runs) < self.runs*exp(-pilot.skill_gain/6.0)
             spread = np.linspace(0.5, 1.5, self.runs)
-            made.append(Look(good, 0.14*spread, 0.018*spread))
+            made.append(Look(good, np.array([0.14*spread, 0.018*spread])))
         return made
 
 
@@ -106,8 +106,13 @@ def test_bench_flies_the_same_runs_for_every_pilot():
         a, b, c = bench.look(PILOTS['A'], PILOTS['C'], PILOTS['A'])
     for mine, again in zip(a, c):
         np.testing.assert_array_equal(mine, again)
-    assert not np.array_equal(a.offset, b.offset)
-    assert a.success.shape == (12,)
+    assert not np.array_equal(a.values[0], b.values[0])
+    assert a.success.shape == (12,) and a.values.shape == (len(calibrate.MEASURES), 12)
+
+
+def test_what_is_fitted_is_condition_1_of_the_paper():
+    assert dict(zip(calibrate.STATISTICS, TARGET)) == {
+        'success': 0.76, 'offset_m': 0.1444, 'lateral_rate_m_s': 0.0182}
 
 
 def test_pilot_file_is_a_section_of_a_scenario():

@@ -11,7 +11,7 @@ import numpy as np
 import pyarrow.parquet
 import pytest
 
-from rvd_campaign.campaign import engine, results
+from rvd_campaign.campaign import engine, lunar_columns, results
 from rvd_campaign.campaign.engine import (
     check_same, fly_campaign, KEPT, open_folder, PARTS, RESULTS, sole_writer, start, Workers)
 from rvd_campaign.campaign.progress import clock, Progress
@@ -29,6 +29,9 @@ conditions:
   shared: {}
   rough: {link_forward: {loss_fraction: 0.3}, link_back: {loss_fraction: 0.3}}
 '''
+
+
+MEASURES = ['x_rate_m_s', 'offset_m', 'lateral_rate_m_s', 'min_corridor_margin_m', 'delta_v_m_s']
 
 
 def flown(folder, workers=Workers(), text=TEXT, runs=None):
@@ -98,10 +101,9 @@ def test_rows_are_those_of_the_loop(once):
         alone = fly(campaign.condition(name).scenario.loop(), [17])
         verdict = alone.verdict
         assert table['reason'][17] == verdict.reason[0]
-        for column, value in (('duration_s', verdict.duration), ('offset_m', verdict.offset),
-                              ('min_corridor_margin_m', verdict.min_corridor_margin),
-                              ('delta_v_m_s', verdict.delta_v)):
-            np.testing.assert_array_equal(table[column][17], value[0])
+        np.testing.assert_array_equal(table['duration_s'][17], verdict.duration[0])
+        for column in MEASURES:
+            np.testing.assert_array_equal(table[column][17], verdict.values[column][0])
         assert table['steps'][17] == alone.end_step[0]
         decided = sum(table[f'steps_{by}'] for by in ('nobody', 'pilot', 'auto', 'blend'))
         np.testing.assert_array_equal(decided, table['steps'])
@@ -121,24 +123,50 @@ def test_terminal_position_fits_the_offset_and_failures_have_time_and_place(once
         np.testing.assert_allclose(rho[~outside], wall[~outside], atol=1e-6)
 
 
+def test_columns_of_the_table_are_those_that_the_mission_orders(once):
+    for _, table in results.tables(once[0] / RESULTS):
+        assert list(table) == list(lunar_columns.ORDER)
+        assert [results.kind_of(*column) for column in table.items()] == (
+            ['i8', '?', 'U'] + ['f8']*14 + ['i8']*6)
+
+
+def test_means_of_the_summary_are_those_of_the_table(once):
+    for (_, table), c in zip(results.tables(once[0] / RESULTS), once[1]['conditions']):
+        good = table['success']
+        for name, mean in c['means'].items():
+            assert mean == pytest.approx(table[name][good].mean(), rel=1e-12)
+        for name, mean in c['means_of_all_runs'].items():
+            assert mean == pytest.approx(table[name].mean(), rel=1e-12)
+        assert sum(c['share_of_steps'][by] for by in ('nobody', 'pilot', 'auto', 'blend')) == (
+            pytest.approx(1.0))
+
+
 def test_result_file_reads_as_any_parquet_file(once):
     table = pyarrow.parquet.read_table(once[0] / RESULTS).to_pydict()
     assert list(table)[:3] == ['condition', 'seed', 'run']
     assert len(table['run']) == 90
     assert set(table['seed']) == {8}
-    assert results.result_hash(once[0] / RESULTS) == once[1]['result_hash']
+    assert hash_of(once[0] / RESULTS) == once[1]['result_hash']
+
+
+def hash_of(path):
+    """Return the hash of the rows that a file holds."""
+    made = results.ResultFile(io.BytesIO(), seed=8)
+    for name, table in results.tables(path):
+        made.add(name, table)
+    return made.hash
 
 
 def test_hash_sees_values_and_not_the_file_format(once, tmp_path):
     again = tmp_path / 'again.parquet'
     table = pyarrow.parquet.read_table(once[0] / RESULTS)
     pyarrow.parquet.write_table(table, again, compression='gzip', row_group_size=17)
-    assert results.result_hash(again) == once[1]['result_hash']
+    assert hash_of(again) == once[1]['result_hash']
     at = table.column_names.index('offset_m')
     moved = table['offset_m'].to_numpy().copy()
     moved[5] = np.nextafter(moved[5], 1.0)
     pyarrow.parquet.write_table(table.set_column(at, 'offset_m', [moved]), again)
-    assert results.result_hash(again) != once[1]['result_hash']
+    assert hash_of(again) != once[1]['result_hash']
 
 
 def test_summary_has_the_promised_shape(once):
@@ -146,7 +174,8 @@ def test_summary_has_the_promised_shape(once):
     for c in summary['conditions']:
         assert {'name', 'runs', 'successes', 'success_rate', 'wilson95', 'means',
                 'runs_per_s'} <= set(c)
-        assert set(c['means']) == {'x_rate_m_s', 'offset_m', 'lateral_rate_m_s'}
+        assert list(c['means']) == list(c['standard_errors']) == MEASURES
+        assert {'min_corridor_margin_m', 'delta_v_m_s'} <= set(c['means_of_all_runs'])
         low, high = c['wilson95']
         assert low <= c['success_rate'] <= high
         assert sum(c['reasons'].values()) == c['runs'] == 30

@@ -85,8 +85,8 @@ def test_page_shows_every_figure_and_table(html):
     assert html.count('<svg') == 6
     for title, _ in FIGURES.values():
         assert title in html
-    for words in ('Differences', 'How runs ended', 'Who decided', 'To repeat', 'Campaign file',
-                  'paper', '0.1444'):
+    for words in ('Differences', 'How runs ended', 'Who decided', 'How to reproduce',
+                  'Campaign file', 'paper', '0.1444'):
         assert words in html
 
 
@@ -94,7 +94,7 @@ def test_what_was_fitted_is_said_beside_the_table(html):
     table = html[html.index('<h2>Conditions'):html.index('<h2>Differences')]
     assert table.count('\u2020') == 2
     assert 'Fitted, not predicted' in table and 'it was fitted to &lt;this&gt;.' in table
-    assert 'it does not prove it' in html and 'a note &amp; more' in html
+    assert 'does not prove it' in html and 'a note &amp; more' in html
 
 
 def test_words_of_people_are_escaped(html):
@@ -157,7 +157,7 @@ def test_a_campaign_where_nobody_succeeds_has_a_page(tmp_path):
     fly_campaign(campaign, tmp_path, Workers(), Progress(io.StringIO()))
     summary = finish(campaign, tmp_path)
     assert summary['conditions'][0]['means']['offset_m'] is None
-    assert 'no prediction' in page(Results(
+    assert 'not a prediction' in page(Results(
         campaign, summary, dict(results.tables(tmp_path / RESULTS, NEEDED))))
 
 

@@ -80,7 +80,7 @@ def test_upper_bound_is_above_every_history_of_levels():
         accel = acceleration(levels, MISSION.thrust)
         flying = truth.advance(flying, accel)
         judge.advance(step + 1, flying, accel)
-    best = judge.verdict().min_corridor_margin.max()
+    best = judge.verdict().values['min_corridor_margin_m'].max()
     assert best <= bound + 1e-3 and best > bound - 0.1
 
 

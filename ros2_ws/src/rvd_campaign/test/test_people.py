@@ -5,7 +5,7 @@ import json
 
 import pytest
 
-from rvd_campaign.report.people import conditions, is_session, pairs, read_flights, write_session_report
+from rvd_campaign.report.people import conditions, pairs, read_flights, write_session_report
 
 
 def flight(folder, who, number, condition, success, *, training=False, seed=1, offset=0.1,
@@ -14,8 +14,11 @@ def flight(folder, who, number, condition, success, *, training=False, seed=1, o
     run.mkdir(parents=True)
     (run / 'verdict.json').write_text(json.dumps({
         'success': success, 'reason': 'docked' if success else 'left_corridor',
-        'duration_s': 120.0, 'delta_v_m_s': 0.2,
-        'terminal': {'x_rate_m_s': 0.25, 'offset_m': offset, 'lateral_rate_m_s': 0.02}}))
+        'duration_s': 120.0, 'measures': {
+            'offset_m': {'value': offset, 'unit': 'm', 'limit': 0.3, 'ok': offset < 0.3},
+            'delta_v_m_s': {'value': 0.2, 'unit': 'm/s', 'limit': None, 'ok': True},
+            'exit_time_s': {'value': None, 'unit': 's', 'limit': None, 'ok': True},
+            'of_tomorrow': {'value': 7.0, 'unit': '', 'limit': None, 'ok': True}}}))
     if rated:
         (run / 'ratings.json').write_text(json.dumps({
             'volunteer': who, 'number': number, 'condition': condition, 'mode': condition,
@@ -46,7 +49,9 @@ def test_training_and_unrated_flights_do_not_count(session):
 
 def test_means_are_over_successes_as_in_the_paper(session):
     manual, shared = conditions(read_flights(session)[0], ['manual', 'shared'])
-    assert manual.offset == pytest.approx(0.1) and shared.offset == pytest.approx(0.15)
+    assert manual.means == pytest.approx(
+        {'offset_m': 0.1, 'delta_v_m_s': 0.2, 'of_tomorrow': 7.0})
+    assert shared.means['offset_m'] == pytest.approx(0.15)
     assert manual.cooper_harper == (6, 4, 8)
     assert manual.tlx == (60.0, pytest.approx(200.0 ** 0.5))
 
@@ -71,12 +76,36 @@ def test_flights_are_paired_by_volunteer_and_seed(session):
 
 
 def test_the_report_and_every_flight_are_written(session):
-    assert is_session(session)
     page = write_session_report(session).read_text()
     assert 'A &lt;session&gt;' in page and 'only shared 1' in page
     with (session / 'flights.csv').open() as file:
         rows = list(csv.DictReader(file))
     assert [row['number'] for row in rows] == ['1', '2', '3', '4', '5']
+    assert list(rows[0])[8:13] == ['duration_s', 'offset_m', 'delta_v_m_s', 'exit_time_s',
+                                   'of_tomorrow']
+    assert [row['offset_m'] for row in rows] == ['9.0', '0.1', '0.9', '0.2', '0.1']
+    assert rows[0]['exit_time_s'] == ''
+
+
+def test_the_table_has_a_column_for_each_measure_that_is_known(session):
+    page = write_session_report(session).read_text()
+    for head in ('lateral offset at docking<br>m<', 'delta-v<br>m/s<', 'of_tomorrow<'):
+        assert f'<th>{head}/th>' in page
+    assert 'left the corridor' not in page and '<td>0.1500</td>' in page
+
+
+def test_a_note_of_the_session_is_printed(session):
+    file = session / 'session.json'
+    file.write_text(json.dumps({**json.loads(file.read_text()), 'note': 'As <known>.'}))
+    assert '<p>As &lt;known&gt;.</p>' in write_session_report(session).read_text()
+
+
+def test_flights_of_a_version_without_measures_are_still_reported(session):
+    for file in session.glob('P*/*/verdict.json'):
+        old = json.loads(file.read_text())
+        del old['measures']
+        file.write_text(json.dumps({**old, 'terminal': {'offset_m': 0.1}}))
+    assert '<td>manual</td><td>2</td>' in write_session_report(session).read_text()
 
 
 def test_a_session_without_a_rated_flight_is_refused(tmp_path):

@@ -1,5 +1,6 @@
 """The report: self-contained, true to the bag, plain about what is missing."""
 
+from dataclasses import replace
 from html.parser import HTMLParser
 import re
 import xml.etree.ElementTree as ElementTree
@@ -82,11 +83,28 @@ def test_ids_are_unique_and_every_reference_has_its_target(html):
 def test_page_says_verdict_limits_counts_and_scenario(html):
     text = Reader(html).text
     for fact in ('Docked after 60.0 s', 'scenario small', 'seed 7', '0.188 m', '0.2500 m/s',
-                 'below 0.3 m/s', '0.1118 m', f'{LAST + 1} = {LAST + 1} \u2713',
-                 'pilot and automatic 121 100 %', 'refused: 1 for checksum',
+                 'between 0 and 0.3 m/s', '0.1118 m', 'below 0.3 m', 'above 0 m',
+                 f'{LAST + 1} = {LAST + 1} \u2713',
+                 'pilot and automatic 121 100 %', 'guard: 1 for checksum',
                  '27.5 onboard_guard REFUSED', 'half_angle_deg: 3.0'):
         assert fact in text, fact
     assert 'class="warning"' not in html
+
+
+def test_each_measure_has_its_row_unless_it_is_unknown_and_without_limit(html):
+    table = re.search(r'<h2>Verdict</h2>\s*(<table.*?</table>)', html, re.S)[1]
+    names = re.findall(r'<tr><td>(.*?)</td>', table)
+    assert names == ['closing rate at docking', 'lateral offset at docking',
+                     'least corridor margin', 'delta-v']
+    assert table.count('\u2713') == 3 and '\u2717' not in table
+    assert re.findall(r'width:(\d+)%', table) == ['83', '37']
+
+
+def test_a_bag_of_a_version_without_measures_still_has_its_verdict(recording):
+    old = replace(recording, verdict=recording.verdict._replace(measures=(), words='docked'))
+    text = Reader(page(old)).text
+    assert 'Docked after 60.0 s' in text and 'has no measures' in text
+    assert '60.00 s from the start to the end' in text
 
 
 def test_text_from_the_bag_is_never_markup(html):
@@ -154,7 +172,7 @@ def test_a_bag_that_was_cut_off_says_so_and_is_repaired(tmp_path):
         text = Reader(write_report(run).read_text()).text
         assert 'The bag was cut off at step 59 (29.5 s)' in text
         assert 'No verdict' in text
-        assert 'Steps that are not in the bag' in text
+        assert 'Steps missing from the bag' in text
     assert read(run).complete
 
 

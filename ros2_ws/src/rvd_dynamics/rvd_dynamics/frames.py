@@ -12,28 +12,25 @@ Valid           circular target orbit about a point-mass Moon.
 Source          Zhang, Li, Tang 2014, section 1.2 and Table 1.
 """
 
-from dataclasses import dataclass
-from math import cos, isfinite, radians, sin
+from math import cos, radians, sin
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rvd_dynamics.mission import OrbitParams
-from rvd_dynamics.diagram.params import param, require
+from rvd_dynamics.diagram.params import param, settings
 
 
-@dataclass(frozen=True)
+@settings
 class PlaneParams:
     """Orientation of the target orbit and place of the target at the epoch (Table 1)."""
 
-    epoch_utc: str = param('2025-01-01T00:00:00', 'Instant t = 0.')
-    inclination_deg: float = param(45.0, 'Of the orbit to the lunar equator [deg].')
+    epoch_utc: str = param('2025-01-01T00:00:00', 'Epoch, at which t = 0, in UTC.')
+    inclination_deg: float = param(
+        45.0, 'Inclination of the target orbit to the lunar equator [deg].')
     ascending_node_deg: float = param(25.0, 'Right ascension of the ascending node [deg].')
-    argument_of_latitude_deg: float = param(0.0, 'Of the target at the epoch [deg].')
-
-    def __post_init__(self) -> None:
-        for name in ('inclination_deg', 'ascending_node_deg', 'argument_of_latitude_deg'):
-            require(isfinite(getattr(self, name)), name, 'be finite', getattr(self, name))
+    argument_of_latitude_deg: float = param(
+        0.0, 'Argument of latitude of the target at the epoch [deg].')
 
 
 def rotation(t: ArrayLike, orbit: OrbitParams,

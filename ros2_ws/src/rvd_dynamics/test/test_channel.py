@@ -23,6 +23,11 @@ WILD = LinkParams(gamma=Gamma(offset_fraction=0.2, scale_fraction=0.085), loss_f
                   reorder_delay_s=1.2, outage_windows_s=(20.0, 32.0, 90.0, 90.6))
 
 
+def balanced(counts):
+    """Every copy is somewhere."""
+    return counts.sent + counts.duplicated == sum(getattr(counts, place) for place in PLACES)
+
+
 def frame(step, payload=b'payload', expedited=False, step_ns=STEP_NS):
     return Frame(sequence=step + 1, sent_ns=step * step_ns, payload=payload, expedited=expedited)
 
@@ -75,7 +80,7 @@ def test_releases_and_counts_are_those_of_an_event_queue(seed, hold):
         counts = asdict(channel.counts)
         assert {name: counts[name] for name in PLACES} == {
             name: flight.census[k][name] for name in PLACES}
-        assert channel.counts.balanced                                      # P3
+        assert balanced(channel.counts)                                     # P3
     assert counts['sent'] == sent.sum()
     assert counts['duplicated'] == (sent & plan.duplicated).sum()
     assert counts['reordered'] == flight.overtaken
@@ -177,7 +182,7 @@ def test_what_is_on_its_way_at_the_end_stays_on_its_way():
     for k in range(10):
         channel.advance(k, frame(k, step_ns=100))
     c = channel.counts
-    assert (c.sent, c.delivered, c.queued, c.in_flight) == (10, 5, 2, 3) and c.balanced
+    assert (c.sent, c.delivered, c.queued, c.in_flight) == (10, 5, 2, 3) and balanced(c)
 
 
 def test_steps_without_a_frame_count_nothing():
@@ -264,7 +269,7 @@ def run_expedited(transits, expedited, hold=10, steps=30, **kinds):
     channel = Channel(plan, hold, 100)
     outs = [channel.advance(k, frame(k, step_ns=100, expedited=k in expedited)
                             if k < len(transits) else None) for k in range(steps)]
-    assert channel.counts.balanced
+    assert balanced(channel.counts)
     return [out and out.sequence - 1 for out in outs], channel.counts
 
 
@@ -354,7 +359,7 @@ class ChannelMachine(RuleBasedStateMachine):
     @invariant()
     def counts_balance_and_the_queue_is_bounded(self):                          # P3, P4
         if hasattr(self, 'channel'):
-            assert self.channel.counts.balanced
+            assert balanced(self.channel.counts)
             assert self.channel.counts.queued <= self.hold + 1
 
     def teardown(self):                                                         # P5

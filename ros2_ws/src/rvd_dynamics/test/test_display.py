@@ -107,5 +107,5 @@ def test_what_cannot_be_drawn_is_refused_with_the_name_of_its_field(make, names)
 
 @pytest.mark.parametrize('value', [object(), {1, 2}, b'bytes', float('nan')])
 def test_a_value_that_json_does_not_know_is_refused_with_its_place(value):
-    with pytest.raises(ValueError, match=r'display\.reasons\.lost'):
-        as_data(display(reasons={'won': 'Won', 'lost': value}))
+    with pytest.raises(ValueError, match=r'display\.goal'):
+        as_data(display(goal=value))

@@ -1,5 +1,7 @@
 """The judge on motions whose events are known in closed form, and against brute force."""
 
+from types import SimpleNamespace
+
 import numpy as np
 from numpy.testing import assert_allclose
 import pytest
@@ -7,8 +9,8 @@ from scipy.interpolate import CubicHermiteSpline
 from scipy.optimize import brentq, minimize_scalar
 
 from rvd_dynamics.geometry import cone
-from rvd_dynamics.judge import Judge, REASONS, Verdict
-from rvd_dynamics.mission import DockingParams, Mission
+from rvd_dynamics.judge import ended, Judge, REASONS
+from rvd_dynamics.mission import CorridorParams, DockingParams, Mission
 from rvd_dynamics.world.plants.relative import Cw
 from rvd_dynamics.commands.levels import acceleration
 
@@ -24,6 +26,23 @@ def straight(start, accel, t):
     return np.concatenate([start[:3] + start[3:]*t + accel*t*t/2, start[3:] + accel*t])
 
 
+def seen(verdict):
+    """Return a verdict with its measures by short names, and the exit as one position (..., 3)."""
+    v = verdict.values
+    return SimpleNamespace(
+        success=verdict.success, reason=verdict.reason, duration=verdict.duration,
+        x_rate=v['x_rate_m_s'], offset=v['offset_m'], lateral_rate=v['lateral_rate_m_s'],
+        min_corridor_margin=v['min_corridor_margin_m'], delta_v=v['delta_v_m_s'],
+        exit_time=v['exit_time_s'],
+        exit_position=np.stack([v[f'exit_{axis}_m'] for axis in 'xyz'], axis=-1))
+
+
+def fields(verdict):
+    """Return every field of a verdict with its name, the measures among them."""
+    return {'success': verdict.success, 'reason': verdict.reason, 'duration': verdict.duration,
+            **verdict.values}
+
+
 def judged(start, *accels, mission=MISSION, until_end=True):
     """Judge a flight from `start` with one acceleration per step, then coasting."""
     judge, state, step = Judge(mission), np.asarray(start, dtype=float), 0
@@ -33,7 +52,7 @@ def judged(start, *accels, mission=MISSION, until_end=True):
         step += 1
         state = straight(state, accel, mission.step_s)
         judge.advance(step, state, accel)
-    return judge.verdict()
+    return seen(judge.verdict())
 
 
 # -- docking ----------------------------------------------------------------------------------
@@ -175,7 +194,7 @@ def test_the_last_way_to_the_plane_counts_for_the_margin():
     judge.start([-0.5, 0.2, 0.0, 0.25, 0.0, 0.0])
     judge.advance(1, [-0.115, 0.15, 0.0, 0.25, 0.0, 0.0], REST)
     judge.advance(2, [0.01, 0.2, 0.0, 0.25, 0.24, 0.0], REST)
-    v = judge.verdict()
+    v = seen(judge.verdict())
     spline = CubicHermiteSpline([0, H], [[-0.115, 0.15, 0], [0.01, 0.2, 0]],
                                 [[0.25, 0, 0], [0.25, 0.24, 0]])
     place = spline(0.46)
@@ -228,7 +247,7 @@ def test_p10_truth_that_is_not_finite_is_invalid_wherever_it_stands(where, bad):
     truth = np.array([-29.75, 0.0, 0.0, 0.25, 0.0, 0.0, 0.0, 0.0, 0.0])
     truth[where] = bad
     judge.advance(2, truth[:6], truth[6:])
-    v = judge.verdict()
+    v = seen(judge.verdict())
     assert judge.ended and (v.success, v.reason, v.duration) == (False, 'invalid', H)
     assert np.isfinite([v.min_corridor_margin, v.delta_v]).all()    # what was known is kept
 
@@ -243,9 +262,9 @@ def test_p10_truth_that_is_not_finite_cannot_dock_even_beyond_the_plane():
 def test_leaving_does_not_hide_what_came_later():
     judge = Judge(MISSION)
     judge.start([-1.0, 0.5, 0.0, 0.25, 0.0, 0.0])
-    assert (judge.verdict().reason, judge.verdict().exit_time) == ('', 0.0)
+    assert (judge.verdict().reason, judge.verdict().values['exit_time_s']) == ('', 0.0)
     judge.advance(1, np.full(6, np.nan), REST)
-    assert (judge.verdict().reason, judge.verdict().exit_time) == ('invalid', 0.0)
+    assert (judge.verdict().reason, judge.verdict().values['exit_time_s']) == ('invalid', 0.0)
 
 
 @pytest.mark.parametrize('start', [[0.0, 0.0, 0.0, 0.25, 0.0, 0.0], [2.0] + [0.0]*5,
@@ -253,7 +272,7 @@ def test_leaving_does_not_hide_what_came_later():
 def test_a_start_that_is_none_is_invalid(start):
     judge = Judge(MISSION)
     judge.start(start)
-    v = judge.verdict()
+    v = seen(judge.verdict())
     assert judge.ended and (v.reason, v.duration) == ('invalid', 0.0)
 
 
@@ -272,10 +291,10 @@ def test_a_run_that_is_stopped_under_way_counts_as_timed_out():
 
 
 def test_a_single_verdict_is_made_of_plain_numbers():
-    v = judged([-1.0, 0.0, 0.0, 0.25, 0.0, 0.0])
-    kinds = [type(value) for value in v]
-    assert kinds == [bool, str] + [float]*6 + [np.ndarray, float]
-    assert v.exit_position.shape == (3,)
+    judge = Judge(MISSION)
+    judge.start([-1.0, 0.0, 0.0, 0.25, 0.0, 0.0])
+    kinds = [type(value) for value in fields(judge.verdict()).values()]
+    assert kinds == [bool, str] + [float]*10
 
 
 @pytest.mark.parametrize('step', [0, 1, 3, 7])
@@ -304,7 +323,7 @@ def test_without_any_control_the_reference_approach_leaves_at_69_seconds():
     for step in range(1, 401):
         state = model.advance(state, REST)
         judge.advance(step, state, REST)
-    v = judge.verdict()
+    v = seen(judge.verdict())
     n = MISSION.orbit.mean_motion
 
     def station(t):                                 # eq. 19
@@ -380,7 +399,7 @@ def oracle(states, mission):
 def test_flights_are_judged_as_brute_force_judges_them(step_s):
     mission, runs = Mission(step_s=step_s), 40
     states, accels = flights(runs, mission, seed=3)
-    v = judge_all(mission, states, accels, (runs,))
+    v = seen(judge_all(mission, states, accels, (runs,)))
     assert len(set(v.reason.tolist())) > 1          # docked ones and others
     for r in range(runs):
         end, margin, left, place, rate, spline = oracle(states[:, r], mission)
@@ -397,7 +416,7 @@ def test_flights_are_judged_as_brute_force_judges_them(step_s):
 
 
 def row(verdict, i):
-    return [np.asarray(field[i]).tobytes() for field in verdict]
+    return [np.asarray(field[i]).tobytes() for field in fields(verdict).values()]
 
 
 def test_a_run_in_a_batch_is_judged_to_the_bit_like_a_single_one():
@@ -411,8 +430,9 @@ def test_a_run_in_a_batch_is_judged_to_the_bit_like_a_single_one():
         assert all(row(few, i) == row(batch, i) for i in range(size))
     for i in range(60):
         single = judge_all(MISSION, states[:, i], accels[:, i], ())
-        for name, one, field in zip(Verdict._fields, single, batch):
-            assert np.array_equal(one, field[i], equal_nan=not isinstance(one, str)), (i, name)
+        for name, one in fields(single).items():
+            of_batch = fields(batch)[name][i]
+            assert np.array_equal(one, of_batch, equal_nan=not isinstance(one, str)), (i, name)
     assert {'docked', 'left_corridor', 'invalid'} <= set(batch.reason.tolist())
 
 
@@ -442,5 +462,51 @@ def test_batches_may_have_several_axes():
     states, accels = flights(6, MISSION, seed=5)
     flat = judge_all(MISSION, states, accels, (6,))
     folded = judge_all(MISSION, states.reshape(-1, 2, 3, 6), accels.reshape(-1, 2, 3, 3), (2, 3))
-    assert folded.success.shape == (2, 3) and folded.exit_position.shape == (2, 3, 3)
+    assert {field.shape for field in fields(folded).values()} == {(2, 3)}
     assert np.array_equal(folded.duration.ravel(), flat.duration)
+
+
+# -- what it declares -------------------------------------------------------------------------
+
+def test_a_run_succeeds_when_every_measure_is_within_its_limits():
+    states, accels = flights(400, MISSION, seed=6)
+    judge = Judge(MISSION, (400,))
+    v = judge_all(MISSION, states, accels, (400,))
+    within = np.all([m.ok(v.values[m.name]) for m in judge.measures], axis=0)
+    assert np.array_equal(within, v.success) and 0 < v.success.sum() < 400
+    assert [m.name for m in judge.measures] == list(v.values)
+
+
+def test_limits_and_reasons_are_those_of_the_mission():
+    mission = Mission(docking=DockingParams(0.2, 0.05), corridor=CorridorParams(3.0, 0.4))
+    limits = {m.name: (m.low, m.high) for m in Judge(mission).measures}
+    assert limits['x_rate_m_s'] == (0.0, 0.2) and limits['lateral_rate_m_s'][1] == 0.05
+    assert limits['offset_m'][1] == 0.4 and limits['min_corridor_margin_m'][0] == 0.0
+    assert set(Judge.reasons) == set(REASONS.tolist()) - {''}
+
+
+# -- the end of a run, which plant and judge agree on ------------------------------------------
+
+@pytest.mark.parametrize('state, step, over', [
+    ([-1.0, 0.0, 0.0, 0.25, 0.0, 0.0], 399, False), ([-1.0, 0.0, 0.0, 0.25, 0.0, 0.0], 400, True),
+    ([0.0, 0.0, 0.0, 0.25, 0.0, 0.0], 1, True), ([2.0, 9.0, 0.0, 0.25, 0.0, 0.0], 1, True),
+    ([-np.inf, 0.0, 0.0, 0.25, 0.0, 0.0], 1, True), ([np.nan]*6, 1, True),
+    ([-1.0, 0.0, 0.0, 0.25, 0.0, np.nan], 1, True)])
+def test_a_run_ends_at_the_plane_at_the_time_limit_or_where_nothing_is_known(state, step, over):
+    assert ended(step, state, 400) == over
+    batch = np.tile([-1.0, 0.0, 0.0, 0.25, 0.0, 0.0], (3, 2, 1))
+    batch[1, 0] = state
+    expected = np.full((3, 2), step >= 400)
+    expected[1, 0] = over
+    assert np.array_equal(ended(step, batch, 400), expected)
+
+
+def test_the_judge_ends_a_run_no_later_than_the_plant_does():
+    states, accels = flights(300, MISSION, seed=8)
+    states[77, 3, 4] = np.nan
+    judge = Judge(MISSION, (300,))
+    judge.start(states[0])
+    for step, accel in enumerate(accels, start=1):
+        judge.advance(step, states[step], accel)
+        assert judge.ended[ended(step, states[step], MISSION.last_step)].all()
+    assert judge.ended.all()

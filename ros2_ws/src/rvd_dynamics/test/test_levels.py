@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 
 from rvd_dynamics.mission import StickParams, ThrustParams
-from rvd_dynamics.commands.levels import (acceleration, level_of_deflection, nearest_level,
-                                            stick_levels)
+from rvd_dynamics.commands.levels import (
+    acceleration, level_of_deflection, nearest_level, stick_axes, stick_levels)
 
 THRUST, STICK = ThrustParams(), StickParams()
 ALL = np.arange(-3, 4)
@@ -105,6 +105,25 @@ def test_map_and_signs_are_settings():
     stick = StickParams(axis_x=0, axis_y=1, axis_z=2, sign_x=-1, sign_z=-1, deadman_button=-1)
     levels, valid = stick_levels([1.0, 1/3, -2/3], [], stick)
     assert valid and levels.tolist() == [-3, 1, 2]
+
+
+OTHERS = (StickParams(), StickParams(axis_x=2, axis_y=7, axis_z=0, sign_x=-1, sign_z=-1),
+          StickParams(deadman_button=0), StickParams(deadman_button=-1))
+
+
+@pytest.mark.parametrize('stick', OTHERS)
+@pytest.mark.parametrize('levels', [(0, 0, 0), (3, -2, 1), (-1, 0, 2)])
+def test_a_stick_put_to_levels_gives_them(stick, levels):
+    axes, buttons = stick_axes([level / 3 for level in levels], True, stick)
+    sent = np.array(axes, dtype=np.float32)                     # as a Joy carries them
+    found, valid = stick_levels(sent, buttons, stick)
+    assert valid and found.tolist() == list(levels)
+    assert not np.signbit(sent[sent == 0.0]).any()
+
+
+@pytest.mark.parametrize('stick', OTHERS[:3])
+def test_a_stick_that_nobody_holds_is_invalid(stick):
+    assert not stick_levels(*stick_axes((0.0, 1.0, 0.0), False, stick), stick)[1]
 
 
 NEUTRAL, HELD = [0.0]*6, [0, 0, 0, 0, 1]

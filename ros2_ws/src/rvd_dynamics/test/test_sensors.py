@@ -48,5 +48,6 @@ def test_unknown_stays_unknown_by_component():
 
 @pytest.mark.parametrize('fraction', [-0.01, 1.0, float('nan'), float('inf')])
 def test_impossible_noise_is_refused_with_its_value(fraction):
-    with pytest.raises(ValueError, match=f'noise_fraction must be 0 up to 1, got {fraction}'):
+    said = f'noise_fraction must be at least 0 and below 1, got {fraction}'
+    with pytest.raises(ValueError, match=said):
         Multiplicative(noise_fraction=fraction)

@@ -1,7 +1,9 @@
 """Predictive barrier: against its text in plain Python, against physics, inside a blend."""
 
 from dataclasses import replace
+from decimal import Decimal
 from math import copysign, inf, pi, sqrt, tan
+import re
 import sys
 
 from hypothesis import given, settings, strategies as st
@@ -179,7 +181,7 @@ def test_no_pilot_gets_out_of_the_corridor(mission, coupling, pilot):
 
 # Inside a blend, and without a pilot
 
-@pytest.mark.parametrize('sharing', [Eq25(), Eq25(eta='0.2'), Eq25(eta=0.5), Eq25(eta=1.0),
+@pytest.mark.parametrize('sharing', [Eq25(), Eq25(eta=Decimal('0.2')), Eq25(eta=0.5), Eq25(eta=1.0),
                                      Eq25(rounding='truncate'), Filter()], ids=repr)
 def test_the_blend_comes_as_near_as_it_can_to_what_is_wanted(sharing):
     law, state, stick = Barrier(MISSION, sharing=sharing), states(4000, 13), sticks(4000, 14)
@@ -217,13 +219,20 @@ def test_any_finite_state_gets_levels(state, stick):
     assert got.shape == (3,) and got.dtype == np.int8 and np.abs(got).max() <= 3
 
 
-@pytest.mark.parametrize('bad', [
-    {'coasts_s': ()}, {'coasts_s': (0.0, -1.0)}, {'coasts_s': (inf,)}, {'brake_level': 0},
-    {'brake_level': 4}, {'margin_fraction': 0.0}, {'margin_fraction': 1.1},
-    {'coupling': 'some'}, {'keep_closing_m_s': (0.3, 0.2)}, {'force_closing_m_s': (0.1,)}])
-def test_impossible_settings_are_refused_by_name(bad):
-    with pytest.raises(ValueError, match=f'{next(iter(bad))} must be'):
-        Barrier(MISSION, **bad)
+@pytest.mark.parametrize('key, bad, said', [
+    ('coasts_s', (), 'coasts_s must be one number or more, got []'),
+    ('coasts_s', (0.0, -1.0), 'coasts_s[1] must not be negative, got -1.0'),
+    ('coasts_s', (inf,), 'coasts_s[0] must be finite, got inf'),
+    ('brake_level', 0, 'brake_level must be between 1 and 3, got 0'),
+    ('brake_level', 4, 'brake_level must be between 1 and 3, got 4'),
+    ('margin_fraction', 0.0, 'margin_fraction must be above 0 and at most 1, got 0.0'),
+    ('margin_fraction', 1.1, 'margin_fraction must be above 0 and at most 1, got 1.1'),
+    ('coupling', 'some', 'coupling must be one of closing_rate, all, none, got some'),
+    ('keep_closing_m_s', (0.3, 0.2), 'keep_closing_m_s must be rising numbers, got [0.3, 0.2]'),
+    ('force_closing_m_s', (0.1,), 'force_closing_m_s must be 2 numbers, got [0.1]')])
+def test_impossible_settings_are_refused_by_name(key, bad, said):
+    with pytest.raises(ValueError, match=f'^{re.escape(said)}$'):
+        Barrier(MISSION, **{key: bad})
 
 
 # How a node of its own learns what the blender does

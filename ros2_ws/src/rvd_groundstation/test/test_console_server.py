@@ -10,7 +10,7 @@ import aiohttp
 import pytest
 
 from rvd_dynamics.diagram.display import as_data
-from rvd_dynamics.mission import Mission
+from rvd_dynamics.diagram.scenario import parse
 from rvd_groundstation.console import server
 from rvd_groundstation.console.access import CONTENT_POLICY
 from rvd_groundstation.console.decode import Sample
@@ -19,6 +19,7 @@ from rvd_groundstation.console.protocol import encode
 from rvd_groundstation.console.provider import display_of
 from rvd_groundstation.console.server import Address, Server
 
+SCENARIO = parse('/**: {ros__parameters: {}}', 'test')
 TLS = Path(__file__).parent / 'tls'         # made for these tests, trusted by nobody else
 
 
@@ -51,7 +52,7 @@ class House:
         self.server = Server(self.hub, self.address, self.runs)
         self.base = (await self.server.start()).split('/#')[0]
         self.session = aiohttp.ClientSession()
-        self.hub.begin('run', display_of(Mission()), self.graph)
+        self.hub.begin('run', display_of(SCENARIO), self.graph)
         return self
 
     async def __aexit__(self, *_):
@@ -113,7 +114,7 @@ def test_answers_carry_the_policy_and_files_outside_are_not_served():
 
 
 def test_a_page_knows_what_it_will_show_before_the_first_run():
-    shown = as_data(display_of(Mission()).display)
+    shown = as_data(display_of(SCENARIO).display)
 
     async def work():
         async with House(display=shown) as house, house.socket() as page:

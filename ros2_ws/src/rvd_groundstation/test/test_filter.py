@@ -8,7 +8,6 @@ import pytest
 from scipy.linalg import expm
 
 from rvd_dynamics.mission import Mission
-from rvd_dynamics.motion import cw
 from rvd_groundstation.prediction.filter import (
     AdaptiveFilter, FilterParams, FILTERS, gain_sequence, ScheduledFilter)
 

@@ -9,7 +9,7 @@ import pytest
 
 from rvd_dynamics.mission import Mission
 from rvd_dynamics.diagram.streams import pilot_draws, PilotDraws, skill_normal
-from rvd_groundstation.operators.pilot import Pilot, PilotParams, PILOTS, with_display
+from rvd_groundstation.operators.pilot import Pilot, PilotParams, PILOTS
 
 STEPS = 300
 QUIET = PilotParams(rate_bias_m_s=0.0, position_bias_m=0.0, position_bias_per_m=0.0,
@@ -258,7 +258,7 @@ def test_presets_are_those_of_the_documentation():
     assert PILOTS['A'] == PilotParams()
     assert (PILOTS['C'].skill_gain, PILOTS['C'].skill_spread) == (1.77, 0.20)
     assert (PILOTS['B'].skill_gain, PILOTS['B'].display) == (1.0, False)
-    assert with_display(PILOTS['B']) == PilotParams(skill_gain=1.0)
+    assert replace(PILOTS['B'], display=True) == PilotParams(skill_gain=1.0)
 
 
 def test_operators_fly_runs_in_a_row():

@@ -134,7 +134,7 @@ def test_empty_csv_is_refused(tmp_path, text, complaint):
 def test_missing_or_unreadable_tapes_are_refused_by_name(tmp_path):
     with pytest.raises(ValueError, match='none.csv: cannot read the tape: No such file'):
         read_tape(tmp_path / 'none.csv')
-    with pytest.raises(ValueError, match='no .mcap file in the folder'):
+    with pytest.raises(ValueError, match='holds no bag: there is no .mcap file in the folder'):
         read_tape(tmp_path)
     for name, content in (('noise.csv', bytes(range(256))), ('noise.mcap', b'no mcap at all')):
         (tmp_path / name).write_bytes(content)
@@ -181,3 +181,15 @@ def test_bag_that_was_cut_off_plays_what_it_holds(tmp_path):
         lengths.add(len(tape.stamps_ns))
         assert tape.at(0) == ((0.0, 0.5), (1,))
     assert lengths == {1, 2, 3}
+
+
+def test_bag_that_was_damaged_is_refused_by_name(tmp_path):
+    path = bag(tmp_path / 'tape.mcap', SAMPLES)
+    whole = path.read_bytes()
+    at = whole.rindex(b'joy\0')                     # the name in the header of the last sample
+    path.write_bytes(whole[:at - 4] + b'\xff\xff\xff\x7f' + whole[at:])
+    with pytest.raises(ValueError, match='tape.mcap, /joy message 3: cannot be decoded'):
+        read_tape(path)
+    path.write_bytes(b'\0' + whole[1:])
+    with pytest.raises(ValueError, match='tape.mcap: not a readable MCAP file'):
+        read_tape(path)

@@ -23,6 +23,7 @@ from std_msgs.msg import String, UInt64
 
 from rvd_campaign.scenario import load
 from rvd_campaign.flight.watch import message_type
+from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.link.frame import COMMAND_BYTES, DOWNLINK_BYTES
 from rvd_dynamics.mission import Mission
 from rvd_dynamics.diagram.ros import graph, qos
@@ -77,7 +78,7 @@ class BareNode(Node):
         if topic == '/joy':
             step_ns = self._mission.step_ns
             return lambda m: self._receive(
-                (m.header.stamp.sec * 10**9 + m.header.stamp.nanosec) // step_ns + lag)
+                (m.header.stamp.sec * NS_PER_S + m.header.stamp.nanosec) // step_ns + lag)
         return lambda m: self._receive(m.step + lag)
 
     def _check_barrier(self) -> None:
@@ -150,7 +151,7 @@ def set_step(message, step: int, step_ns: int) -> None:
         message.step = step
         return
     stamp = message.header.stamp if hasattr(message, 'header') else message.clock
-    stamp.sec, stamp.nanosec = divmod(step * step_ns, 10**9)
+    stamp.sec, stamp.nanosec = divmod(step * step_ns, NS_PER_S)
 
 
 def main() -> None:

@@ -12,9 +12,8 @@ import time
 from pathlib import Path
 from statistics import median
 
-from mcap.records import Channel, Message
-
-from rvd_dynamics.recording.mcap_file import records
+from rvd_dynamics.constants import NS_PER_S
+from rvd_dynamics.recording.messages import files_of, MessageFile
 
 TRUTH = '/truth/relative_state'
 MAX_WALL_S = 10.0
@@ -59,10 +58,5 @@ def fly_once() -> dict:
 
 def published(run: Path) -> list[float]:
     """Return the wall times at which the truths of a run were published [s]."""
-    times, channel = [], None
-    for record in records(next((run / 'bag').glob('*.mcap'))):
-        if isinstance(record, Channel) and record.topic == TRUTH:
-            channel = record.id
-        elif isinstance(record, Message) and record.channel_id == channel:
-            times.append(1e-9 * record.publish_time)
-    return sorted(times)
+    return sorted(stored.publish_ns / NS_PER_S for file in files_of(run)
+                  for stored in MessageFile(file, {TRUTH}))

@@ -8,19 +8,17 @@ from typing import Any
 
 import numpy as np
 
-from rvd_campaign.flight import verdict
 from rvd_campaign.campaign.engine import check_same, open_folder, refly
+from rvd_campaign.campaign.lunar_columns import LAYOUT
 from rvd_campaign.campaign.results import rows, Table
 from rvd_campaign.exits import CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_FAILED
 from rvd_campaign.flight.fly import pace_of
 from rvd_campaign.loop import fly
 from rvd_campaign.scenario import Scenario
+from rvd_dynamics.diagram.judge import judgement
+from rvd_dynamics.judge import Judge
 
 FIXED = ('scenario', 'mode', 'operator', 'tape', 'seed')        # arguments the campaign answers
-COMPARED = {                    # column of the table: place in verdict.json
-    'duration_s': ('duration_s',), 'x_rate_m_s': ('terminal', 'x_rate_m_s'),
-    'offset_m': ('terminal', 'offset_m'), 'lateral_rate_m_s': ('terminal', 'lateral_rate_m_s'),
-    'min_corridor_margin_m': ('min_corridor_margin_m',), 'delta_v_m_s': ('delta_v_m_s',)}
 
 
 def chosen(args: argparse.Namespace) -> Scenario:
@@ -41,29 +39,33 @@ def _chosen(args: argparse.Namespace) -> tuple[Scenario, Table]:
 def compared(args: argparse.Namespace, content: dict[str, Any]) -> str:
     """Return in words whether a flown verdict is that of the campaign."""
     row = _chosen(args)[1]
-    different = [] if content['reason'] == row['reason'][0] else ['reason']
-    for column, path in COMPARED.items():
-        value: Any = content
-        for key in path:
-            value = value[key]
-        value = float('nan') if value is None else value
-        if not np.array_equal(value, row[column][0], equal_nan=True):
-            different.append(column)
+    mine = {'reason': content['reason'], 'duration_s': content['duration_s'],
+            **{name: m['value'] for name, m in content['measures'].items()}}
+    different = [name for name, value in mine.items()
+                 if name in row and not _same(value, row[name][0])]
     return _said(args, different)
 
 
 def in_process(args: argparse.Namespace) -> int:
     """Fly the run in this process and compare every column; return the exit code of `fly`."""
     scenario, row = _chosen(args)
-    mine = rows(fly(scenario.loop(), [args.run_number]))
-    print(f'{args.condition}, run {args.run_number}: '
-          f'{verdict.WORDS[str(mine["reason"][0])]} after {mine["duration_s"][0]:.1f} s')
+    flight = fly(scenario.loop(), [args.run_number])
+    judged = judgement(Judge(scenario.mission), flight.verdict, 0)
+    print(f'{args.condition}, run {args.run_number}: {judged.headline}')
+    mine = rows(flight, LAYOUT)
     different = [name for name, values in row.items()
                  if not np.array_equal(values, mine[name], equal_nan=values.dtype.kind == 'f')]
     print(_said(args, different))
     if different:
         return EXIT_CANNOT
     return EXIT_DONE if mine['success'][0] else EXIT_FAILED
+
+
+def _same(value: Any, of_campaign: Any) -> bool:
+    """Say whether a value of `verdict.json` is that of the table, to the bit."""
+    if isinstance(value, str):
+        return value == of_campaign
+    return np.array_equal(float('nan') if value is None else value, of_campaign, equal_nan=True)
 
 
 def _said(args: argparse.Namespace, different: list[str]) -> str:

@@ -1,14 +1,14 @@
 """
 `./rvd calibrate`: fits the pilot to condition 1 and says what condition 1 can tell.
 
-Target  the paper's condition 1 (manual, 100 runs): success .76 and, over successes, mean offset
-        .1444 m and mean lateral rate .0182 m/s. Nothing of condition 2 is looked at.
-Fit     the first free number makes the success rate .76 (a root); a second one, if asked for,
-        then brings offset and rate closest (least squares in the paper's standard errors).
+Target  the paper's condition 1 (manual, 100 runs): its success rate and, over successes, its
+        means (`lunar_columns`). Nothing of condition 2 is looked at.
+Fit     the first free number makes the success rate the paper's (a root); a second one, if asked
+        for, then brings the means closest (least squares in the paper's standard errors).
         Every look at a pilot flies the same runs with the same draws, so that looks differ
         by the pilot alone.
-Limits  the paper prints no deviations: standard errors of offset and rate are taken from the
-        model's scatter over 76 runs, and ten people's runs are not independent.
+Limits  the paper prints no deviations: standard errors of the means are taken from the model's
+        scatter over 76 runs, and ten people's runs are not independent.
 Source  Zhang, Li, Tang, J. Astronautics 35(3), 2014, Table 3.
 """
 
@@ -26,15 +26,18 @@ from numpy.typing import NDArray
 
 from rvd_campaign import catalogue
 from rvd_campaign.campaign import engine, stats
-from rvd_campaign.campaign.results import Stretch, Table, write_whole
+from rvd_campaign.campaign.lunar_columns import PAPER_MEANS, PAPER_RUNS, PAPER_SUCCESSES
+from rvd_campaign.campaign.results import Stretch, Table
 from rvd_campaign.exits import CannotRun, EXIT_DONE
 from rvd_campaign.scenario import load, nearest, Scenario
 from rvd_dynamics.diagram.params import flatten
+from rvd_dynamics.recording import whole
 from rvd_groundstation.operators.pilot import PilotParams, PILOTS
 
-STATISTICS = ('success', 'offset', 'rate')
-TARGET = np.array([0.76, 0.1444, 0.0182])       # of Table 3, condition 1
-PAPER_RUNS, PAPER_SUCCESSES = 100, 76
+MEASURES = tuple(PAPER_MEANS)                   # whose means the paper gives
+STATISTICS = ('success', *MEASURES)
+TARGET = np.array([PAPER_SUCCESSES / PAPER_RUNS, *PAPER_MEANS.values()])
+WIDTH = max(14, *map(len, STATISTICS))          # of a column, in characters
 SPREADS = (0.0, 0.1, 0.2, 0.35, 0.5)            # of the profile
 STEP = 0.1                                      # relative, of the derivatives
 BLOCKS = 20                                     # of runs, for the noise of a derivative
@@ -45,21 +48,19 @@ class Look(NamedTuple):
     """What a pilot did in the runs that every pilot flies."""
 
     success: NDArray[np.bool_]          # (runs,)
-    offset: NDArray[np.float64]         # (runs,) [m]   NaN where not reached
-    rate: NDArray[np.float64]           # (runs,) [m/s]
+    values: NDArray[np.float64]         # (measures, runs) of `MEASURES`; NaN where not reached
 
     def statistics(self, part: slice = slice(None)) -> NDArray[np.float64]:
-        """Return success rate, mean offset and mean rate (over successes), shape (3,)."""
+        """Return the success rate and the means over successes, shape (1 + measures,)."""
         good = self.success[part]
-        means = [v[part][good].mean() if good.any() else np.nan for v in (self.offset, self.rate)]
+        means = [v[part][good].mean() if good.any() else np.nan for v in self.values]
         return np.array([good.mean(), *means])
 
     def errors(self) -> NDArray[np.float64]:
-        """Return the standard errors of the paper's statistics, shape (3,)."""
+        """Return the standard errors of the paper's statistics, shape (1 + measures,)."""
         p, good = PAPER_SUCCESSES / PAPER_RUNS, self.success
         return np.array([sqrt(p*(1 - p)/PAPER_RUNS),
-                         *(v[good].std() / sqrt(PAPER_SUCCESSES)
-                           for v in (self.offset, self.rate))])
+                         *(v[good].std() / sqrt(PAPER_SUCCESSES) for v in self.values)])
 
 
 @dataclass
@@ -94,8 +95,9 @@ def _handfuls(scenarios: list[Scenario]) -> list[list[Scenario]]:
 
 
 def _look(tables: list[Table]) -> Look:
-    return Look(*(np.concatenate([t[name] for t in tables])
-                  for name in ('success', 'offset_m', 'lateral_rate_m_s')))
+    def column(name: str) -> NDArray:
+        return np.concatenate([t[name] for t in tables])
+    return Look(column('success'), np.array([column(name) for name in MEASURES]))
 
 
 # -- the fit ---------------------------------------------------------------------------------
@@ -116,8 +118,8 @@ def fit(bench: Bench, pilot: PilotParams, free: list[str]) -> tuple[PilotParams,
     def misfit(value: float) -> float:
         fitted, look = fit_success(bench, _with(pilot, free[1], value), free[0])
         best.append((distance(look), fitted, look))
-        print(f'  {free[1]} {value:.4g}: {free[0]} {getattr(fitted, free[0]):.4g}, offset and '
-              f'rate miss by {best[-1][0]:.2f} standard errors', flush=True)
+        print(f'  {free[1]} {value:.4g}: {free[0]} {getattr(fitted, free[0]):.4g}, the means '
+              f'miss by {best[-1][0]:.2f} standard errors', flush=True)
         return best[-1][0]
 
     from scipy.optimize import minimize_scalar
@@ -129,9 +131,9 @@ def fit(bench: Bench, pilot: PilotParams, free: list[str]) -> tuple[PilotParams,
 
 
 def distance(look: Look) -> float:
-    """Return how far offset and rate are from the paper's [standard errors]."""
+    """Return how far the means are from the paper's [standard errors]."""
     miss = ((look.statistics() - TARGET) / look.errors())[1:]
-    return float(sqrt(miss[0]*miss[0] + miss[1]*miss[1]))
+    return float(sqrt(sum(m*m for m in miss)))
 
 
 def fit_success(bench: Bench, pilot: PilotParams, name: str) -> tuple[PilotParams, Look]:
@@ -195,8 +197,8 @@ class Sensitivity(NamedTuple):
     """How the statistics answer to one number, in the paper's standard errors per 100 %."""
 
     name: str
-    answer: NDArray[np.float64]         # (3,)
-    noise: NDArray[np.float64]          # (3,) standard error of `answer`
+    answer: NDArray[np.float64]         # (statistics,)
+    noise: NDArray[np.float64]          # (statistics,) standard error of `answer`
 
 
 def sensitivities(bench: Bench, pilot: PilotParams, errors: NDArray) -> list[Sensitivity]:
@@ -237,7 +239,7 @@ def _movable(pilot: PilotParams, name: str) -> bool:
 
 def combinations(found: list[Sensitivity]) -> tuple[NDArray, NDArray]:
     """
-    Return the singular values (3,) of the answers, and what noise alone would make of each.
+    Return the singular values (statistics,) of the answers, and what noise alone makes of each.
 
     A value below 1 says: the best combination of numbers, moved by 100 % in all, moves the
     statistics by less than one standard error of the paper's experiment. Noise never cancels in
@@ -277,7 +279,7 @@ def main(args: argparse.Namespace) -> int:
             more = study(bench, fitted, look, free[0])
             print('\n'.join(more), flush=True)
             lines += more
-    write_whole(out, pilot_file(fitted, args, free, lines))
+    whole.write_text(out, pilot_file(fitted, args, free, lines))
     print(out)
     return EXIT_DONE
 
@@ -302,8 +304,8 @@ def _asked(args: argparse.Namespace) -> tuple[PilotParams, list[str], Scenario]:
             raise CannotRun(f'--free: no number {name} in this pilot'
                             + nearest(name, numbers(pilot)))
     if len(set(free)) != len(free) or len(free) > 2:
-        raise CannotRun('--free takes one number or two different ones: three statistics tell '
-                        'no more')
+        raise CannotRun(f'--free takes one number or two different ones: {len(STATISTICS)} '
+                        'statistics tell no more')
     return pilot, free, scenario
 
 
@@ -312,9 +314,9 @@ def fit_in_words(pilot: PilotParams, look: Look, free: list[str]) -> list[str]:
     found, errors = look.statistics(), look.errors()
     fitted = ' and '.join(f'{name} = {getattr(pilot, name):.4g}' for name in free)
     lines = [f'fitted to condition 1: {fitted}',
-             '             here     paper    paper\'s standard error']
+             f'  {"":<{WIDTH}} {"here":>8} {"paper":>8}  paper\'s standard error']
     for name, value, target, error in zip(STATISTICS, found, TARGET, errors):
-        lines.append(f'  {name:<8} {value:8.4f} {target:8.4f} {error:8.4f}')
+        lines.append(f'  {name:<{WIDTH}} {value:8.4f} {target:8.4f} {error:8.4f}')
     low, high = stats.wilson(int(look.success.sum()), len(look.success))
     lines.append(f'  success here has a 95 % interval of [{low:.4f}, {high:.4f}]')
     return lines
@@ -340,27 +342,31 @@ def study(bench: Bench, pilot: PilotParams, look: Look, name: str) -> list[str]:
         'condition 1 tells nothing that they could see.',
         *([f'A tenth more or less moves nothing, as time goes in whole steps: {", ".join(still)}']
           if still else []),
-        '', 'answer to +100 % of       success        offset          rate'
-        '          (standard errors, +- noise)']
+        '', f'{"answer to +100 % of":<24} {_heads()}  (standard errors, +- noise)']
     for s in found:
-        cells = '  '.join(f'{a:6.1f} +- {n:4.1f}' for a, n in zip(s.answer, s.noise))
+        cells = '  '.join(f'{f"{a:.1f} +- {n:4.1f}":>{WIDTH}}'
+                          for a, n in zip(s.answer, s.noise))
         lines.append(f'  {s.name:<22} {cells}')
     return lines + profile(bench, pilot, name)
 
 
 def profile(bench: Bench, pilot: PilotParams, name: str) -> list[str]:
     """Return the valley: every spread of skill fits the success rate with its own `name`."""
-    lines = ['', f'skill_spread  {name:<17} success  offset   rate     offset and rate miss by']
+    lines = ['', f'skill_spread  {name:<17} {_heads()}  the means miss by']
     for spread in SPREADS:
         try:
             fitted, look = fit_success(bench, replace(pilot, skill_spread=spread), name)
         except ValueError:
             lines.append(f'  {spread:<11g} cannot reach {TARGET[0]:g}')
             continue
-        success, offset, rate = look.statistics()
-        lines.append(f'  {spread:<11g} {getattr(fitted, name):<17.4g} {success:.4f}   '
-                     f'{offset:.4f}   {rate:.4f}   {distance(look):.1f} standard errors')
+        cells = '  '.join(f'{value:>{WIDTH}.4f}' for value in look.statistics())
+        lines.append(f'  {spread:<11g} {getattr(fitted, name):<17.4g} {cells}  '
+                     f'{distance(look):.1f} standard errors')
     return lines
+
+
+def _heads() -> str:
+    return '  '.join(f'{name:>{WIDTH}}' for name in STATISTICS)
 
 
 def pilot_file(pilot: PilotParams, args: argparse.Namespace, free: list[str], lines: list[str]

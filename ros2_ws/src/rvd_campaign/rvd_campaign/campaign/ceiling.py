@@ -32,7 +32,8 @@ from scipy.optimize import linprog
 from rvd_campaign.loop import fly, LoopSettings
 from rvd_dynamics.diagram import streams
 from rvd_dynamics.geometry.cone import signed_distance
-from rvd_dynamics.judge import Judge, Verdict
+from rvd_dynamics.diagram.judge import Verdict
+from rvd_dynamics.judge import Judge
 from rvd_dynamics.link.plan import draw_plan
 from rvd_dynamics.mission import Mission
 from rvd_dynamics.motion import cw
@@ -118,7 +119,7 @@ def _decide(settings: LoopSettings, runs: Sequence[int], first_step: int) -> Cei
             break
         verdict = _fly_home(settings, _of(world, rows), first_step, way)
         docked[rows] = verdict.success
-        left[rows] |= verdict.exit_time <= first_step * settings.mission.step_s
+        left[rows] |= verdict.values['exit_time_s'] <= first_step * settings.mission.step_s
     refuted = np.zeros_like(docked)
     for row in np.flatnonzero(~(docked | outside | left)):
         refuted[row] = best_margin(settings, _of(world, [row]), first_step) < -SLACK_M

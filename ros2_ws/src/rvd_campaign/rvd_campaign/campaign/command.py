@@ -10,13 +10,14 @@ import warnings
 from dataclasses import replace
 from pathlib import Path
 
-from rvd_campaign.campaign import engine, results
+from rvd_campaign.campaign import engine
 from rvd_campaign.campaign.engine import KEPT, Workers
 from rvd_campaign.campaign.progress import clock, Progress
 from rvd_campaign.campaign.spec import Campaign, check_runs, load_campaign
 from rvd_campaign.campaign.summary import finish, in_words, SUMMARY
 from rvd_campaign.exits import CannotRun, EXIT_DONE, EXIT_INTERRUPTED
 from rvd_campaign.flight.fly import new_folder
+from rvd_dynamics.recording import whole
 
 MAX_WORKERS = 256
 
@@ -50,7 +51,7 @@ def _finish(campaign: Campaign, folder: Path) -> None:
     from rvd_campaign.campaign.report import write_campaign_report
     summary = finish(campaign, folder)
     try:
-        results.write_whole(folder / SUMMARY, json.dumps(summary, indent=1) + '\n')
+        whole.write_text(folder / SUMMARY, json.dumps(summary, indent=1) + '\n')
         print(in_words(summary))
         print(f'result hash {summary["result_hash"]}', flush=True)
         print(write_campaign_report(folder), flush=True)

@@ -33,12 +33,13 @@ from typing import Any
 
 import joblib
 
-from rvd_campaign.campaign import results
+from rvd_campaign.campaign import lunar_columns, results
 from rvd_campaign.campaign.progress import Progress
 from rvd_campaign.campaign.results import Stretch, Table
 from rvd_campaign.campaign.spec import Campaign, CampaignError, from_dict
 from rvd_campaign.loop import draw, draws_key, fly
 from rvd_campaign.scenario import Scenario
+from rvd_dynamics.recording import whole
 
 KEPT, PARTS, RESULTS = 'campaign.json', 'parts', 'results.parquet'
 BATCH_STEPS = 1_200_000         # runs times steps that fly together: 170 MB of draws, full speed
@@ -83,7 +84,7 @@ def code_hash() -> str:
         for path in sorted(p for p in folder.rglob('*') if p.suffix in SOURCES):
             if not {'nodes', 'ros', 'recording'} & set(path.relative_to(folder).parts):
                 made.update(f'{path.relative_to(folder)}\0'.encode() + path.read_bytes())
-    for module in (rvd_campaign.loop, rvd_campaign.scenario, results):
+    for module in (rvd_campaign.loop, rvd_campaign.scenario, results, lunar_columns):
         made.update(Path(module.__file__).read_bytes())
     return made.hexdigest()
 
@@ -145,7 +146,7 @@ def start(campaign: Campaign, folder: Path) -> None:
 def keep(campaign: Campaign, folder: Path) -> None:
     """Write what the folder is about."""
     kept = {'campaign': campaign.as_dict(), 'identity': identity(campaign)}
-    results.write_whole(folder / KEPT, json.dumps(kept, indent=1))
+    whole.write_text(folder / KEPT, json.dumps(kept, indent=1))
 
 
 def fly_campaign(campaign: Campaign, folder: Path, workers: Workers, progress: Progress) -> None:
@@ -322,7 +323,8 @@ def fly_together(task: Task, code: tuple, parent: int) -> list[tuple[Stretch, Ta
     made = []
     for scenario, stretch in task:
         begun = time.thread_time()
-        table = results.rows(fly(scenario.loop(), stretch.runs, draws=draws))
+        flight = fly(scenario.loop(), stretch.runs, draws=draws)
+        table = results.rows(flight, lunar_columns.LAYOUT)
         made.append((stretch, table, each + time.thread_time() - begun))
     return made
 

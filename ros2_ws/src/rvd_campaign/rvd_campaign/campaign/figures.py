@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from rvd_campaign.campaign import stats
 from rvd_campaign.campaign.results import Table
 from rvd_campaign.campaign.spec import Campaign, Condition
-from rvd_campaign.report.figures import BLUE, GREEN, INK, MUTED, ORANGE, VERMILLION, WIDTH_IN
+from rvd_dynamics.recording.drawing import BLUE, GREEN, INK, MUTED, ORANGE, VERMILLION, WIDTH_IN
 from rvd_campaign.loop import fly
 from rvd_dynamics.geometry import cone
 
@@ -67,9 +67,10 @@ def success(results: Results) -> Drawn:
     axes.set(yticks=range(len(names)), ylim=(len(names) - 0.4, -0.6), xlabel='success rate')
     axes.set_yticklabels(names)
     axes.grid(axis='y', visible=False)
-    caption = 'Bars: 95 % intervals (Wilson). Hollow: fitted to this very number, no prediction.'
+    caption = ('Bars: 95 % intervals (Wilson). Hollow markers: fitted to this very success rate, '
+               'so not a prediction.')
     if any('condition' in row for row in results.campaign.reference.values()):
-        caption += ' Diamonds: the references of the table.'
+        caption += ' Diamonds: the reference rows of the table.'
     return figure, caption
 
 
@@ -97,15 +98,15 @@ def landing(results: Results) -> Drawn:
                               linestyle=DASHED))
         axes.set(xlim=(-1.1*radius, 1.1*radius), ylim=(-1.1*radius, 1.1*radius), aspect='equal',
                  xlabel='y, radial [m]', ylabel='z, cross track [m]')
-        upper = results.rows[condition.name]['upper_half']
-        axes.set_title(f'{condition.name}\n{100*upper:.0f} % at y > 0' if upper is not None
+        upper = table['y_m'][table['success']] > 0.0
+        axes.set_title(f'{condition.name}\n{100*upper.mean():.0f} % at y > 0' if upper.size
                        else condition.name)
     for axes in figure.axes[len(shown):]:
         axes.remove()
     return figure, (
-        f'Where successful runs met the docking plane, at most the first {LANDED} of each '
-        'condition, looking along the direction of flight; dashed: the limit. The shares count '
-        'all successes.')
+        'Where successful runs met the docking plane, seen along the direction of flight: at most '
+        f'the first {LANDED} of each condition. Dashed: the limit. The percentages are of all '
+        'successful runs.')
 
 
 def tracks(results: Results) -> Drawn:
@@ -127,10 +128,10 @@ def tracks(results: Results) -> Drawn:
                   bbox_to_anchor=(0.99, 1.0))
     return figure, (
         f'The first {TRACKS} successful runs of each condition, flown again for this figure. '
-        'Dashed: the corridor wall; solid: the control boundary. Each plane shows the cone cut '
-        'along its axis. Of the runs shown, so many were beyond the control boundary for a '
-        f'while: {"; ".join(outside) or "none shown"}. The paper says that shared tracks stay '
-        'inside it.')
+        'Dashed: the corridor wall; solid: the control boundary. Each panel shows the cone cut '
+        'along its axis. Share of these runs that were outside the control boundary at some time: '
+        f'{"; ".join(outside) or "none shown"}. According to the paper, tracks flown under shared '
+        'control stay inside it.')
 
 
 def flown_again(condition: Condition, table: Table) -> NDArray[np.float64]:
@@ -203,7 +204,7 @@ def curve(results: Results) -> Drawn:
              else axis.rsplit('.', 1)[-1], ylabel='success rate')
     if len(lines) > 1 or any('at' in row for row in results.campaign.reference.values()):
         axes.legend(loc='best')
-    return figure, 'Success rate; shaded: 95 % intervals (Wilson) of each point by itself.'
+    return figure, 'Success rate. Shaded: 95 % interval (Wilson) of each point on its own.'
 
 
 def _reference_point(axes: Axes, x: float, row: dict, label: str) -> None:
@@ -227,7 +228,7 @@ def failures(results: Results) -> Drawn:
                     baseline=None, label=condition.name)
     axes.set(xlabel='station x [m]', ylabel='left the corridor so far [% of runs]')
     axes.legend(loc='upper left')
-    return figure, 'Share of all runs that have left the corridor on the way to a station.'
+    return figure, 'Share of all runs that have left the corridor before reaching each station.'
 
 
 def replicates(results: Results) -> Drawn:
@@ -255,9 +256,9 @@ def replicates(results: Results) -> Drawn:
     right.legend(loc='upper left')
     count = len(next(iter(rates.values())))
     return figure, (
-        f'{count:,} experiments of {size} runs each. Right: differences between the two '
-        'conditions of one experiment, as flown here with the same people, starts and noise '
-        '(same draws), and against the next experiment (other draws: other people too).')
+        f'{count:,} experiments of {size} runs each. Right: difference between the two conditions '
+        'within one experiment, flown with the same people, starts and noise (same draws), and '
+        'between one experiment and the next (other draws, and so other people).')
 
 
 def _bars(axes: Axes, values: NDArray, size: int, colour: str, style: Any, label: str) -> None:

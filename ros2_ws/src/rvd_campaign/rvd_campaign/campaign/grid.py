@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from rvd_campaign.scenario import ScenarioError
+from rvd_dynamics.diagram.time_grid import whole_steps
 
 
 class Cells:
@@ -32,10 +33,8 @@ def legs(loop_delay_s: Any, step_s: float) -> dict[str, float]:
     if isinstance(loop_delay_s, bool) or not isinstance(loop_delay_s, (int, float)) \
             or not 0.0 <= loop_delay_s <= 3600.0:
         raise ScenarioError(f'loop_delay_s must be between 0 and 3600, got {loop_delay_s}')
-    steps = round(loop_delay_s / step_s)
-    if abs(steps*step_s - loop_delay_s) > 1e-9:
-        below = int(loop_delay_s / step_s)
-        raise ScenarioError(
-            f'loop_delay_s must be a whole number of steps of {step_s:g} s, got '
-            f'{loop_delay_s:g}: the two nearest are {below*step_s:g} and {(below + 1)*step_s:g}')
+    try:
+        steps = whole_steps('loop_delay_s', loop_delay_s, step_s)
+    except ValueError as error:
+        raise ScenarioError(error) from None
     return {'forward_delay_s': steps//2 * step_s, 'back_delay_s': (steps - steps//2) * step_s}

@@ -1,21 +1,22 @@
 """
 The result table of a campaign: one row per run, the parts it is made of, and its hash.
 
-Table   `COLUMNS`, sorted by condition (order of the campaign) and run. Unknown is NaN.
+Table   run, success, reason, duration_s, the measures of the mission's judge, and the columns
+        that the mission adds (`Layout`), sorted by condition (order of the campaign) and run.
+        Unknown is NaN. Columns are text, bool, int64 or float64.
 Parts   `parts/cCCCC-rFIRST-nCOUNT.parquet`: a stretch of runs of one condition, written whole or
-        not at all (draft, fsync, rename). Which stretches there are depends on how the work was
+        not at all. Which stretches there are depends on how the work was
         split; the table and its hash do not.
 Hash    SHA-256 over the conditions' names, the columns' names and types and the decoded values,
         not over the bytes of a Parquet file, which change with the version of its writer.
 """
 
-import errno
 import hashlib
-import os
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
-from typing import NamedTuple
+from typing import IO, NamedTuple
 
 import numpy as np
 import pyarrow
@@ -23,19 +24,23 @@ import pyarrow.parquet
 from numpy.typing import NDArray
 
 from rvd_campaign.loop import Flight
+from rvd_dynamics.diagram.judge import table_columns
+from rvd_dynamics.recording import whole
 
 Table = dict[str, NDArray]              # column: values of N runs
 
-COLUMNS = {                             # name: type; text is kept as text
-    'run': 'i8', 'success': '?', 'reason': 'U', 'duration_s': 'f8',
-    'failed_at_s': 'f8', 'failed_x_m': 'f8', 'failed_y_m': 'f8', 'failed_z_m': 'f8',
-    'x_rate_m_s': 'f8', 'offset_m': 'f8', 'lateral_rate_m_s': 'f8',
-    'y_m': 'f8', 'z_m': 'f8', 'y_rate_m_s': 'f8', 'z_rate_m_s': 'f8',
-    'min_corridor_margin_m': 'f8', 'delta_v_m_s': 'f8',
-    'steps': 'i8', 'steps_nobody': 'i8', 'steps_pilot': 'i8', 'steps_auto': 'i8',
-    'steps_blend': 'i8', 'steps_changed': 'i8'}
+KINDS = {'U': 'U', 'b': '?', 'i': 'i8', 'f': 'f8'}      # numpy's kind: type in table and hash
+ARROW = {'U': pyarrow.string(), '?': pyarrow.bool_(), 'i8': pyarrow.int64(),
+         'f8': pyarrow.float64()}
 BYTES_PER_RUN = 250                     # on disk, parts and result together, rounded up
 PART = re.compile(r'c(\d{4})-r(\d{10})-n(\d+)\.parquet')
+
+
+class Layout(NamedTuple):
+    """What a mission adds to the table of its campaigns, and the order of all columns."""
+
+    columns: Callable[[Flight], Table] = lambda flight: {}
+    order: tuple[str, ...] = ()         # names of the columns to keep; empty: all
 
 
 class Stretch(NamedTuple):
@@ -56,36 +61,39 @@ class Stretch(NamedTuple):
         return f'c{self.condition:04d}-r{self.first:010d}-n{self.count}.parquet'
 
 
-def rows(flight: Flight) -> Table:
-    """Return the rows of flown runs."""
-    v, end = flight.verdict, flight.terminal
-    left = ~np.isnan(v.exit_time)
-    place = np.where(left[:, None], v.exit_position, end[:, :3])
-    place = np.where(v.success[:, None], np.nan, place)
-    failed_at = np.where(v.success, np.nan, np.where(left, v.exit_time, v.duration))
-    nobody, pilot, auto, blend = flight.decided_steps.T
-    values = (
-        flight.runs, v.success, v.reason, v.duration, failed_at, *place.T, v.x_rate, v.offset,
-        v.lateral_rate, end[:, 1], end[:, 2], end[:, 4], end[:, 5], v.min_corridor_margin,
-        v.delta_v, flight.end_step, nobody, pilot, auto, blend, flight.changed_steps)
-    return {name: np.asarray(value, dtype=None if kind == 'U' else kind)
-            for (name, kind), value in zip(COLUMNS.items(), values, strict=True)}
+def rows(flight: Flight, layout: Layout = Layout()) -> Table:
+    """
+    Return the rows of flown runs.
+
+    Raises
+    ------
+    ValueError
+        If the layout orders a column that there is not, or one is neither text nor number.
+    """
+    made = {'run': flight.runs, **table_columns(flight.verdict), **layout.columns(flight)}
+    unknown = [name for name in layout.order if name not in made]
+    if unknown:
+        raise ValueError(f'no column {unknown[0]}: there are {", ".join(made)}')
+    return {name: _stored(name, made[name]) for name in layout.order or made}
+
+
+def _stored(name: str, values: NDArray) -> NDArray:
+    kind = kind_of(name, values)
+    return np.asarray(values, dtype=None if kind == 'U' else kind)
+
+
+def kind_of(name: str, values: NDArray) -> str:
+    """Return the type of a column in table and hash; ValueError if it can have none."""
+    if values.dtype.kind not in KINDS:
+        raise ValueError(f'column {name} must be text, bool, int or float, got {values.dtype}')
+    return KINDS[values.dtype.kind]
 
 
 def write_part(folder: Path, stretch: Stretch, table: Table, seconds: float) -> None:
     """Write a finished stretch; `seconds` is the time its flying took on one core."""
     made = _arrow(table).replace_schema_metadata({'seconds': repr(seconds)})
-    draft = folder / f'{stretch.file}.draft'
-    try:
-        with draft.open('wb') as file:
-            pyarrow.parquet.write_table(made, file, compression='zstd')
-            file.flush()
-            os.fsync(file.fileno())
-        draft.replace(folder / stretch.file)
-    except OSError:
-        draft.unlink(missing_ok=True)
-        raise
-    _sync_folder(folder)
+    with whole.draft(folder / stretch.file) as file:
+        pyarrow.parquet.write_table(made, file, compression='zstd')
 
 
 def finished(folder: Path) -> dict[Stretch, float]:
@@ -133,7 +141,8 @@ def condition_table(folder: Path, stretches: list[Stretch], condition: int, runs
         If a run is missing or there twice.
     """
     parts = [read_table(folder / s.file) for s in sorted(stretches) if s.condition == condition]
-    table = {name: np.concatenate([part[name] for part in parts]) for name in COLUMNS}
+    table = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]} \
+        if parts else {'run': np.zeros(0, dtype='i8')}
     order = np.argsort(table['run'], kind='stable')
     order = order[table['run'][order] < runs]
     if not np.array_equal(table['run'][order], np.arange(runs)):
@@ -149,63 +158,73 @@ def read_table(path: Path, columns: list[str] | None = None) -> Table:
 
 def from_arrow(table: pyarrow.Table) -> Table:
     """Return the columns as arrays."""
-    return {name: np.asarray(table[name].to_pylist()) if COLUMNS.get(name) == 'U'
-            else table[name].to_numpy() for name in table.column_names}
+    return {field.name: np.asarray(table[field.name].to_pylist(), dtype=str)
+            if pyarrow.types.is_string(field.type) else table[field.name].to_numpy()
+            for field in table.schema}
 
 
 def _arrow(table: Table) -> pyarrow.Table:
     return pyarrow.table({name: pyarrow.array(values.tolist(), pyarrow.string())
-                          if COLUMNS[name] == 'U' else values for name, values in table.items()})
+                          if values.dtype.kind == 'U' else values
+                          for name, values in table.items()})
+
+
+@contextmanager
+def result_file(path: Path, seed: int) -> Iterator['ResultFile']:
+    """Open a result file, which is there whole at the end of the block or not at all."""
+    with whole.draft(path) as file:
+        made = ResultFile(file, seed)
+        try:
+            yield made
+        finally:
+            made.close()                        # left open, it would write to a closed file
 
 
 class ResultFile:
     """Writes `results.parquet`, one condition after the other, and hashes what it writes."""
 
-    def __init__(self, path: Path, seed: int) -> None:
-        self._path, self._draft, self._seed = path, path.with_suffix('.draft'), seed
-        schema = pyarrow.schema([
-            ('condition', pyarrow.dictionary(pyarrow.int32(), pyarrow.string())),
-            ('seed', pyarrow.int64()),
-            *((name, {'i8': pyarrow.int64(), '?': pyarrow.bool_(), 'f8': pyarrow.float64(),
-                      'U': pyarrow.string()}[kind]) for name, kind in COLUMNS.items())])
-        self._writer = pyarrow.parquet.ParquetWriter(self._draft, schema, compression='zstd')
+    def __init__(self, file: IO[bytes], seed: int) -> None:
+        self._file, self._seed = file, seed
+        self._writer: pyarrow.parquet.ParquetWriter | None = None
         self._hash = hashlib.sha256()
 
     def add(self, condition: str, table: Table) -> None:
-        """Append the sorted runs of the next condition."""
+        """Append the sorted runs of the next condition; all have the columns of the first."""
+        if self._writer is None:
+            self._writer = pyarrow.parquet.ParquetWriter(
+                self._file, _schema(table), compression='zstd')
         _feed(self._hash, condition, self._seed, table)
         n = len(table['run'])
         head = {'condition': pyarrow.DictionaryArray.from_arrays(
             np.zeros(n, dtype=np.int32), [condition]),
             'seed': np.full(n, self._seed, dtype=np.int64)}
         body = _arrow(table)
-        columns = {**head, **{name: body[name] for name in COLUMNS}}
-        self._writer.write_table(pyarrow.table(columns, schema=self._writer.schema))
+        parts = {**head, **{name: body[name] for name in table}}
+        self._writer.write_table(pyarrow.table(parts, schema=self._writer.schema))
 
-    def close(self) -> str:
-        """Finish the file and return the hash of the table."""
-        self._writer.close()
-        with self._draft.open('rb') as file:
-            os.fsync(file.fileno())
-        self._draft.replace(self._path)
-        _sync_folder(self._path.parent)
+    @property
+    def hash(self) -> str:
+        """The hash of the table so far."""
         return self._hash.hexdigest()
 
+    def close(self) -> None:
+        """Write the end of the file."""
+        if self._writer is not None:
+            self._writer.close()
 
-def result_hash(path: Path) -> str:
-    """Return the hash of a result file, from what is in it."""
-    made = hashlib.sha256()
-    seed = pyarrow.parquet.ParquetFile(path).read_row_group(0, columns=['seed'])[0][0].as_py()
-    for name, table in tables(path):
-        _feed(made, name, seed, table)
-    return made.hexdigest()
+
+def _schema(table: Table) -> pyarrow.Schema:
+    return pyarrow.schema([
+        ('condition', pyarrow.dictionary(pyarrow.int32(), pyarrow.string())),
+        ('seed', pyarrow.int64()),
+        *((name, ARROW[kind_of(name, values)]) for name, values in table.items())])
 
 
 def _feed(made: 'hashlib._Hash', condition: str, seed: int, table: Table) -> None:
     made.update(f'{condition}\0{seed}\0{len(table["run"])}\0'.encode())
-    for name, kind in COLUMNS.items():
+    for name, values in table.items():
+        kind = kind_of(name, values)
         made.update(f'{name}\0{kind}\0'.encode())
-        values = table[name]
         if kind == 'U':
             made.update('\0'.join(values.tolist()).encode())
             continue
@@ -214,10 +233,11 @@ def _feed(made: 'hashlib._Hash', condition: str, seed: int, table: Table) -> Non
         made.update(np.ascontiguousarray(values, dtype=np.dtype(kind).newbyteorder('<')))
 
 
-def tables(path: Path, columns: list[str] | None = None) -> Iterator[tuple[str, Table]]:
+def tables(path: Path, names: list[str] | None = None) -> Iterator[tuple[str, Table]]:
     """Yield each condition of a result file with its runs."""
     file = pyarrow.parquet.ParquetFile(path)
-    wanted = list(columns or COLUMNS)
+    wanted = names or [name for name in file.schema_arrow.names
+                       if name not in ('condition', 'seed')]
     name, parts = None, []
     for group in range(file.num_row_groups):
         table = file.read_row_group(group, columns=['condition', *wanted])
@@ -236,33 +256,3 @@ def _spans(names: NDArray) -> Iterator[tuple[str, range]]:
     edges = [0, *(np.flatnonzero(names[1:] != names[:-1]) + 1).tolist(), len(names)]
     for first, end in zip(edges, edges[1:]):
         yield str(names[first]), range(first, end)
-
-
-def write_whole(path: Path, text: str) -> None:
-    """Write a text file whole or not at all."""
-    draft = path.with_name(f'{path.name}.draft')
-    try:
-        with draft.open('w', encoding='utf-8') as file:
-            file.write(text)
-            file.flush()
-            os.fsync(file.fileno())
-        draft.replace(path)
-    except OSError:
-        draft.unlink(missing_ok=True)
-        raise
-    _sync_folder(path.parent)
-
-
-def _sync_folder(folder: Path) -> None:
-    """Make renames in a folder last through a power cut, where the file system can."""
-    try:
-        handle = os.open(folder, os.O_RDONLY)
-    except OSError:
-        return
-    try:
-        os.fsync(handle)
-    except OSError as error:
-        if error.errno not in (errno.EINVAL, errno.EBADF):
-            raise
-    finally:
-        os.close(handle)

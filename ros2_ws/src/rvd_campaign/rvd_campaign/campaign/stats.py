@@ -1,21 +1,21 @@
 """
-Intervals for what a campaign counts and averages. All are 95 % unless `z` says otherwise.
+Intervals for what a campaign counts and averages; all are 95 %.
 
 Proportions     E. B. Wilson, J. Am. Stat. Assoc. 22, 1927, 209-212: the score interval, which
-                neither leaves 0..1 nor collapses where every run succeeds.
+                neither leaves 0..1 nor collapses where every run succeeds. scipy's.
 Differences     R. G. Newcombe, Stat. Med. 17, 1998: of independent proportions pp. 873-890,
                 method 10; of paired ones pp. 2635-2650, method 10, with its correction of phi.
                 Conditions of a campaign share their random draws run by run, so they are paired.
 Means           normal approximation; runs are counted in hundreds and more.
+
+`scipy.stats` takes most of a second to import, so that only what calls it does.
 """
 
-from math import comb, sqrt
+from math import sqrt
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
-
-Z95 = 1.959963984540054                 # 97.5 % point of the standard normal
 
 
 class Interval(NamedTuple):
@@ -44,7 +44,7 @@ class Paired(NamedTuple):
         return (self.only_a - self.only_b) / self.runs
 
 
-def wilson(successes: int, runs: int, z: float = Z95) -> Interval:
+def wilson(successes: int, runs: int) -> Interval:
     """
     Return the score interval of a proportion.
 
@@ -56,19 +56,15 @@ def wilson(successes: int, runs: int, z: float = Z95) -> Interval:
     if not 0 <= successes <= runs or runs < 1:
         raise ValueError(f'successes must be 0 to runs, runs at least 1, got {successes} of '
                          f'{runs}')
-    p, zz = successes / runs, z*z / runs
-    middle = (p + zz/2) / (1 + zz)
-    half = z / (1 + zz) * sqrt(p*(1 - p)/runs + zz/(4*runs))
-    # At the ends the formula is exact but its rounding is not.
-    return Interval(0.0 if successes == 0 else middle - half,
-                    1.0 if successes == runs else middle + half)
+    from scipy.stats import binomtest
+    found = binomtest(successes, runs).proportion_ci(confidence_level=0.95, method='wilson')
+    return Interval(float(found.low), float(found.high))
 
 
-def newcombe(successes_a: int, runs_a: int, successes_b: int, runs_b: int,
-             z: float = Z95) -> Interval:
+def newcombe(successes_a: int, runs_a: int, successes_b: int, runs_b: int) -> Interval:
     """Return the interval of the difference a - b of independent proportions (method 10)."""
-    return _combined(successes_a/runs_a, wilson(successes_a, runs_a, z),
-                     successes_b/runs_b, wilson(successes_b, runs_b, z), 0.0)
+    return _combined(successes_a/runs_a, wilson(successes_a, runs_a),
+                     successes_b/runs_b, wilson(successes_b, runs_b), 0.0)
 
 
 def pair(a: ArrayLike, b: ArrayLike) -> Paired:
@@ -80,11 +76,11 @@ def pair(a: ArrayLike, b: ArrayLike) -> Paired:
                   int((~a & ~b).sum()))
 
 
-def newcombe_paired(table: Paired, z: float = Z95) -> Interval:
+def newcombe_paired(table: Paired) -> Interval:
     """Return the interval of the difference a - b of paired proportions (method 10)."""
     n = table.runs
     a, b = table.both + table.only_a, table.both + table.only_b
-    return _combined(a/n, wilson(a, n, z), b/n, wilson(b, n, z), _phi(table))
+    return _combined(a/n, wilson(a, n), b/n, wilson(b, n), _phi(table))
 
 
 def _phi(table: Paired) -> float:
@@ -111,15 +107,13 @@ def sign_test(table: Paired) -> float:
     """
     Return the two-sided p of the exact test that a and b succeed equally often.
 
-    McNemar's test on the runs that differ; the normal approximation beyond 1,000 of them.
+    McNemar's test on the runs that differ.
     """
-    n, k = table.only_a + table.only_b, min(table.only_a, table.only_b)
+    n = table.only_a + table.only_b
     if n == 0:
         return 1.0
-    if n > 1000:
-        from scipy.special import ndtr
-        return float(min(1.0, 2*ndtr((k + 0.5 - n/2) / sqrt(n/4))))
-    return min(1.0, 2*sum(comb(n, i) for i in range(k + 1)) / 2**n)
+    from scipy.stats import binomtest
+    return float(binomtest(table.only_a, n).pvalue)
 
 
 def mean(values: ArrayLike) -> tuple[float, float]:

@@ -4,6 +4,7 @@
 
 from collections import Counter
 from pathlib import Path
+from textwrap import wrap
 from typing import Any
 
 import numpy as np
@@ -13,12 +14,11 @@ from rvd_campaign.campaign.engine import condition_tables, full_disk, identity, 
 from rvd_campaign.campaign.results import Table
 from rvd_campaign.campaign.spec import Campaign, Condition
 from rvd_campaign.flight.verdict import unknown_as_none
+from rvd_dynamics.diagram.judge import bare_name, declared
+from rvd_dynamics.judge import Judge
 
 SUMMARY = 'summary.json'
-MEANS = {'x_rate_m_s': 'closing rate', 'offset_m': 'offset', 'lateral_rate_m_s': 'lateral rate'}
-EFFORT = ('delta_v_m_s', 'min_corridor_margin_m')
-
-
+HEAD_WIDTH = 8                          # of a measure's name above its column
 def finish(campaign: Campaign, folder: Path) -> dict[str, Any]:
     """
     Make `results.parquet` and return the summary of a campaign whose runs are all there.
@@ -29,20 +29,22 @@ def finish(campaign: Campaign, folder: Path) -> dict[str, Any]:
         If a run is missing or the disk is full.
     """
     conditions, success, by_replicate = [], {}, {}
+    judge = Judge(campaign.conditions[0].scenario.mission)      # limits may differ, names do not
+    measures = declared(judge.measures)
     seconds = _seconds(folder, len(campaign.conditions))
     try:
-        file = results.ResultFile(folder / RESULTS, campaign.seed)
-        for (name, table), spent in zip(condition_tables(campaign, folder), seconds):
-            file.add(name, table)
-            conditions.append(of_condition(campaign.condition(name), table, spent))
-            success[name] = table['success']
-        made_hash = file.close()
+        with results.result_file(folder / RESULTS, campaign.seed) as file:
+            for (name, table), spent in zip(condition_tables(campaign, folder), seconds):
+                file.add(name, table)
+                conditions.append(of_condition(campaign.condition(name), table, spent,
+                                               list(measures)))
+                success[name] = table['success']
     except OSError as error:
-        (folder / RESULTS).with_suffix('.draft').unlink(missing_ok=True)
         raise full_disk(folder, error) from None
     summary = {
         'campaign': campaign.name, 'title': campaign.title, 'seed': campaign.seed,
-        'result_hash': made_hash, 'identity': identity(campaign), 'conditions': conditions,
+        'result_hash': file.hash, 'identity': identity(campaign), 'measures': measures,
+        'reasons': judge.reasons, 'conditions': conditions,
         'differences': [of_pair(a, b, success[a], success[b]) for a, b in campaign.compare],
         'fitted': campaign.fitted, 'notes': [*campaign.notes, *pilot_notes(campaign)]}
     if campaign.replicates:
@@ -52,26 +54,34 @@ def finish(campaign: Campaign, folder: Path) -> dict[str, Any]:
     return unknown_as_none(summary)
 
 
-def of_condition(condition: Condition, table: Table, seconds: float) -> dict[str, Any]:
-    """Return the summary of one condition."""
+def of_condition(condition: Condition, table: Table, seconds: float, measures: list[str]
+                 ) -> dict[str, Any]:
+    """
+    Return the summary of one condition.
+
+    Means and standard errors are over successes, of the measures that the table holds. Those that
+    are known in every run have a mean over all runs, too. Columns `steps_...` beside `steps` are
+    counts of steps, of which the mean share is given.
+    """
     good = table['success']
     runs, successes = len(good), int(good.sum())
-    over_successes = {name: stats.mean(table[name][good]) for name in MEANS}
-    over_all = {name: stats.mean(table[name]) for name in EFFORT}
-    steps = np.maximum(table['steps'], 1)
-    return {
+    here = [name for name in measures if name in table]
+    over_successes = {name: stats.mean(table[name][good]) for name in here}
+    always_known = [name for name in here if not np.isnan(table[name]).any()]
+    made = {
         'name': condition.name, 'at': condition.at, 'runs': runs, 'successes': successes,
         'success_rate': successes / runs, 'wilson95': list(stats.wilson(successes, runs)),
         'means': {name: value for name, (value, _) in over_successes.items()},
         'standard_errors': {name: error for name, (_, error) in over_successes.items()},
         'reasons': dict(sorted(Counter(table['reason'].tolist()).items())),
-        'means_of_all_runs': {name: value for name, (value, _) in over_all.items()},
-        'share_of_steps': {
-            **{by: float((table[f'steps_{by}'] / steps).mean())
-               for by in ('nobody', 'pilot', 'auto', 'blend')},
-            'changed': float((table['steps_changed'] / steps).mean())},
-        'upper_half': float((table['y_m'][good] > 0.0).mean()) if successes else float('nan'),
+        'means_of_all_runs': {name: stats.mean(table[name])[0] for name in always_known},
         'runs_per_s': runs / seconds if seconds > 0 else float('nan')}
+    if 'steps' in table:
+        steps = np.maximum(table['steps'], 1)
+        made['share_of_steps'] = {
+            name.removeprefix('steps_'): float((counts / steps).mean())
+            for name, counts in table.items() if name.startswith('steps_')}
+    return made
 
 
 def of_pair(a: str, b: str, success_a: np.ndarray, success_b: np.ndarray) -> dict[str, Any]:
@@ -113,9 +123,9 @@ def pilot_notes(campaign: Campaign) -> list[str]:
     flown = [c.scenario for c in campaign.conditions if c.scenario.mission.operator == 'model']
     if not flown:
         return []
-    return ['The pilot is a model with 28 numbers. What was fitted of them was fitted to '
-            'three statistics of the paper\u2019s condition 1 (manual) and to nothing else; '
-            'agreement elsewhere supports the paper, it does not prove it.']
+    return ['The pilot is a model with 28 parameters. Those that were fitted were fitted to three '
+            'statistics of the paper\u2019s condition 1 (manual) and to nothing else; agreement '
+            'elsewhere supports the paper but does not prove it.']
 
 
 def _seconds(folder: Path, conditions: int) -> list[float]:
@@ -129,15 +139,29 @@ def _seconds(folder: Path, conditions: int) -> list[float]:
 
 def in_words(summary: dict[str, Any]) -> str:
     """Return the table of conditions and differences as text."""
+    measures = {name: m for name, m in summary['measures'].items()
+                if name in summary['conditions'][0]['means']}
+    heads = {name: [*wrap(bare_name(name, m['unit']), HEAD_WIDTH, break_long_words=False),
+                    m['unit']] for name, m in measures.items()}
+    digits = {name: m['digits'] for name, m in measures.items()}
+    cells = [{name: _cell(c['means'][name], digits[name]) for name in measures}
+             for c in summary['conditions']]
+    widths = {name: max(map(len, [*heads[name], *(row[name] for row in cells)])) for name in heads}
+    height = max(map(len, heads.values()), default=1)
     width = max(len(c['name']) for c in summary['conditions'])
-    lines = [f'{"condition":<{width}}  {"runs":>7}  success  95 %              '
-             'x-rate   offset   rate']
-    for c in summary['conditions']:
+    lines = []
+    for at in range(-height, 0):
+        left = f'{"condition":<{width}}  {"runs":>7}  success  95 %            ' if at == -1 \
+            else ' '*(width + 36)
+        heading = [f'{words[at] if at >= -len(words) else "":>{widths[name]}}'
+                   for name, words in heads.items()]
+        lines.append('  '.join([left, *heading]).rstrip())
+    for c, row in zip(summary['conditions'], cells):
         low, high = c['wilson95']
         mark = ' *' if c['name'] in summary['fitted'] else ''
-        lines.append(f'{c["name"]:<{width}}  {c["runs"]:>7}  {c["success_rate"]:.4f}   '
-                     f'[{low:.4f}, {high:.4f}]  {_cell(c, "x_rate_m_s")}  '
-                     f'{_cell(c, "offset_m")}  {_cell(c, "lateral_rate_m_s")}{mark}')
+        left = (f'{c["name"]:<{width}}  {c["runs"]:>7}  {c["success_rate"]:.4f}   '
+                f'[{low:.4f}, {high:.4f}]')
+        lines.append('  '.join([left, *(f'{row[name]:>{widths[name]}}' for name in row)]) + mark)
     lines += [f'* {name}: {words}' for name, words in summary['fitted'].items()]
     for d in summary['differences'][:20]:
         low, high = d['paired95']
@@ -145,6 +169,5 @@ def in_words(summary: dict[str, Any]) -> str:
     return '\n'.join(lines)
 
 
-def _cell(condition: dict[str, Any], name: str) -> str:
-    value = condition['means'][name]
-    return '   -   ' if value is None else f'{value:.4f} '
+def _cell(value: float | None, digits: int) -> str:
+    return '-' if value is None else f'{value:.{digits}f}'

@@ -21,8 +21,8 @@ from typing import Any
 from rvd_campaign.flight import fly
 from rvd_campaign.cli import CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_INTERRUPTED
 from rvd_campaign.flight.domain import reserved_domain
-from rvd_campaign.scenario import Scenario
 from rvd_dynamics.diagram.display import as_data
+from rvd_dynamics.diagram.scenario import Scenario
 from rvd_groundstation.console.provider import display_of
 
 URL_S = 30.0                    # [s] wall time for the page to be there
@@ -37,9 +37,9 @@ class ConsoleProcess:
                  scenario: Scenario) -> None:
         self.socket = folder / 'console'
         display = folder / 'display.json'       # for pages that open before the first run
-        display.write_text(json.dumps(as_data(display_of(scenario.mission).display)),
+        display.write_text(json.dumps(as_data(display_of(scenario).display)),
                            encoding='utf-8')
-        command = [sys.executable, '-m', 'rvd_groundstation.nodes.console', '--serve',
+        command = [sys.executable, '-m', 'rvd_groundstation.console.main', '--serve',
                    '--socket', str(self.socket), '--runs', str(runs), '--bind', args.bind,
                    '--display', str(display),
                    '--port', str(args.port), '--tls-cert', args.tls_cert,
@@ -168,7 +168,7 @@ def _serve(page: ConsoleProcess, args: argparse.Namespace, scenario: Scenario, r
 
 def _as_wished(scenario: Scenario, wish: dict[str, Any], flown: int) -> Scenario:
     """Return the scenario of the next run: each has a seed of its own."""
-    values = {'seed': wish.get('seed', scenario.mission.seed + flown)}
+    values = {'seed': wish.get('seed', scenario.run.seed + flown)}
     if 'mode' in wish:
         values['mode'] = wish['mode']
     return scenario.with_values('/**', **values)
@@ -185,10 +185,8 @@ def _folder(args: argparse.Namespace, wish: dict[str, Any], runs: Path, flown: i
 
 def _fly(page: ConsoleProcess, scenario: Scenario, run_dir: Path, runs: Path, domain: int,
          headless: bool) -> int:
-    mission = scenario.mission
     (run_dir / 'scenario.yaml').write_text(scenario.dump(), encoding='utf-8')
-    print(f'{scenario.name}: mode {mission.mode}, operator console, seed {mission.seed}, '
-          f'{run_dir}', flush=True)
+    print(f'{fly.introduced(scenario)}, {run_dir}', flush=True)
     name = os.path.relpath(run_dir, runs)
     page.tell('starting', name)
     stopped = []

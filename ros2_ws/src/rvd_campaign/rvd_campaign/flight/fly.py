@@ -8,6 +8,7 @@ import re
 import shutil
 import signal
 import sys
+import threading
 import time
 from pathlib import Path
 from typing import Any, Callable
@@ -18,7 +19,8 @@ from rvd_dynamics.recording import reader
 from rvd_campaign.flight.domain import reserved_domain
 from rvd_campaign.exits import (
     CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_FAILED, EXIT_INTERRUPTED)
-from rvd_campaign.scenario import load, Scenario
+from rvd_dynamics.diagram.roster import listed
+from rvd_dynamics.diagram.scenario import load, Scenario
 from rvd_campaign.flight.supervisor import Supervisor
 
 START_S = 60.0                  # [s] wall time for the graph to come up
@@ -39,16 +41,15 @@ def main(args: argparse.Namespace) -> int:
     elif args.condition or args.run_number is not None or args.in_process:
         raise CannotRun('--condition, --run and --in-process go with --from DIR')
     scenario = again.chosen(args) if again else chosen(args)
-    if scenario.mission.operator == 'console':
+    scenario.diagram                            # refused, if it must be, before there is a folder
+    if operator_of(scenario) == 'console':
         from rvd_campaign.flight import console
         return console.main(args, scenario)
     run_dir = new_folder(args.out, scenario.name)
     (run_dir / 'scenario.yaml').write_text(scenario.dump(), encoding='utf-8')
     signal.signal(signal.SIGTERM, lambda *_: signal.raise_signal(signal.SIGINT))
     with reserved_domain() as domain:
-        print(f'{scenario.name}: mode {scenario.mission.mode}, operator '
-              f'{scenario.mission.operator}, seed {scenario.mission.seed}, '
-              f'ROS_DOMAIN_ID={domain}, {run_dir}', flush=True)
+        print(f'{introduced(scenario)}, ROS_DOMAIN_ID={domain}, {run_dir}', flush=True)
         code = Flight(scenario, run_dir, domain, args.headless).fly()
     if again and code in (EXIT_DONE, EXIT_FAILED):
         print(again.compared(args, verdict.read(run_dir / 'verdict.json')), flush=True)
@@ -60,11 +61,17 @@ def chosen(args: argparse.Namespace) -> Scenario:
     usual = 'hand' if args.operator == 'console' else 'paper'
     scenario = load(catalogue.find('scenarios', args.scenario or usual, ('.yaml',)))
     shared: dict[str, object] = dict(pace_of(args.pace))
-    operator = args.operator or ('replay' if args.tape else scenario.mission.operator)
+    if args.processes:
+        shared['processes'] = args.processes
+    for flag in ('mode', 'operator', 'tape'):
+        if getattr(args, flag) and not scenario.has_shared('operator'):
+            raise CannotRun(f'--{flag}: mission {scenario.mission.name} has no operator')
+    operator = args.operator or ('replay' if args.tape else operator_of(scenario))
     if args.tape and operator != 'replay':
         raise CannotRun(f'--tape needs --operator replay, not {operator}')
-    shared['operator'] = operator
-    shared['joy_input'] = 'held' if operator in ('joy', 'console') else 'stepped'
+    if operator:
+        shared['operator'] = operator
+        shared['joy_input'] = 'held' if operator in ('joy', 'console') else 'stepped'
     if args.mode:
         shared['mode'] = args.mode
     if args.seed is not None:
@@ -80,6 +87,20 @@ def chosen(args: argparse.Namespace) -> Scenario:
             raise CannotRun('--operator replay needs --tape FILE (see rvd list tapes)')
         read_tape(path)                         # a bad tape is refused before anything starts
     return scenario
+
+
+def operator_of(scenario: Scenario) -> str:
+    """Return who flies; empty where the mission has no operator."""
+    return scenario.part('operation').operator if scenario.has_shared('operator') else ''
+
+
+def introduced(scenario: Scenario) -> str:
+    """Return in a few words what is about to be flown."""
+    words = [f'{scenario.name}: mission {scenario.mission.name}']
+    if scenario.has_shared('operator'):
+        operation = scenario.part('operation')
+        words += [f'mode {operation.mode}', f'operator {operation.operator}']
+    return ', '.join([*words, f'seed {scenario.run.seed}'])
 
 
 def pace_of(text: str) -> dict[str, object]:
@@ -120,14 +141,18 @@ class Flight:
     def __init__(self, scenario: Scenario, run_dir: Path, domain: int, headless: bool,
                  stop_asked: Callable[[], bool] = lambda: False) -> None:
         self._scenario = scenario
-        self._mission = scenario.mission
+        self._run = scenario.run
+        self._roster = listed(scenario, headless)
         self._run_dir = run_dir
         self._headless = headless
         self._stop_asked = stop_asked
-        self._supervisor = Supervisor(catalogue.root() / 'scripts' / 'bringup.sh',
-                                      run_dir / 'scenario.yaml', run_dir, headless, domain)
+        self._supervisor = Supervisor(
+            catalogue.root() / 'scripts' / 'bringup.sh', run_dir / 'scenario.yaml', run_dir,
+            headless, domain, self._roster)
+        if scenario.run.processes == 'one':     # a core is idle while the one process starts
+            threading.Thread(target=_load_the_report, daemon=True).start()
         from rvd_campaign.flight.watch import FlightWatch      # imports ROS while the nodes do, too
-        self._watch = FlightWatch(self._mission, domain)
+        self._watch = FlightWatch(self._roster, domain)
         self._shown_at = 0.0
         self._on_line = False
 
@@ -147,15 +172,16 @@ class Flight:
             print(f'rvd fly: {problem}', file=sys.stderr)
             print(f'rvd fly: logs are in {self._run_dir / "logs"}', file=sys.stderr)
             return EXIT_CANNOT
-        judged, links = self._outcome()
-        content = verdict.as_dict(judged, links, self._mission, self._scenario.name, interrupted)
+        last, links = self._outcome()
+        judged = verdict.outcome(last, interrupted)
+        content = verdict.as_dict(judged, links, self._scenario)
         verdict.write(self._run_dir / 'verdict.json', content)
-        print(verdict.in_words(content, self._mission), flush=True)
+        print(verdict.in_words(judged), flush=True)
         if interrupted:
             return EXIT_INTERRUPTED
         from rvd_campaign.report.run import write_report
         print(write_report(self._run_dir), flush=True)
-        return EXIT_DONE if content['success'] else EXIT_FAILED
+        return EXIT_DONE if judged.success else EXIT_FAILED
 
     def _follow(self) -> str | None:
         """Return None when the run has ended, or the sentence that says why it could not."""
@@ -177,12 +203,11 @@ class Flight:
                 return self._supervisor.complaint() or 'the run ended without a verdict'
             now = time.monotonic()
             if not self._watch.steps and now - begun > START_S:
-                waiting = sorted(set(self._supervisor.pids) - self._watch.ready)
+                waiting = sorted(set(self._roster.names) - self._watch.ready)
                 return (f'the graph did not come up in {START_S:g} s: not ready: '
-                        f'{", ".join(waiting) or "spacecraft_dynamics"}')
+                        f'{", ".join(waiting) or self._roster.diagram.plant}')
             if self._stalled(now):
-                law = self._scenario.settings('auto_controller').selected
-                owing = self._watch.who_owes(list(self._supervisor.pids), law.uses_stick)
+                owing = self._watch.who_owes()
                 return (f'no step for {STALL_S:g} s of wall time: '
                         f'{", ".join(owing) or "no node"} owes a message')
 
@@ -198,14 +223,16 @@ class Flight:
         run of a few steps can be over before it has found the others. Only a verdict that came
         after the recorder had died is known here alone.
         """
-        topics = ('/run/verdict', *reader.LINKS.values())
+        links = {leg.name.removeprefix('link_'): leg.status.name
+                 for leg in self._roster.diagram.legs()}
+        topics = ('/run/verdict', *links.values())
         try:
             last = reader.newest(self._run_dir, topics)
         except ValueError:                      # no bag: ended before there was one
             last = dict.fromkeys(topics)
         judged = last['/run/verdict']
         return (judged if self._is_final(judged) else self._watch.verdict or judged,
-                {name: last[topic] for name, topic in reader.LINKS.items()})
+                {name: last[topic] for name, topic in links.items()})
 
     def _wait_for_the_nodes(self) -> None:
         """
@@ -214,7 +241,7 @@ class Flight:
         The middleware has been seen, once, to hang for ever while a process left it
         (`destroy_node`): that must not take the flight with it.
         """
-        importlib.import_module('rvd_campaign.report.run')  # takes a second: while the nodes end
+        _load_the_report()
         deadline = time.monotonic() + END_S
         while not self._supervisor.ended and time.monotonic() < deadline:
             self._watch.spin(SHOW_S)
@@ -230,12 +257,12 @@ class Flight:
                   file=sys.stderr)
 
     def _stalled(self, now: float) -> bool:
-        watch, mission = self._watch, self._mission
+        watch, run = self._watch, self._run
         if not watch.steps or watch.paused or self._is_final(watch.verdict):
             return False
         patience = STALL_S
-        if mission.pace == 'realtime':
-            patience = max(patience, 4.0 * mission.step_s / mission.pace_factor)
+        if run.pace == 'realtime':
+            patience = max(patience, 4.0 * run.step_s / run.pace_factor)
         return now - watch.progress_at > patience
 
     def _why(self, failures: dict[str, int]) -> str:
@@ -251,13 +278,13 @@ class Flight:
     def _show(self) -> None:
         for event in self._watch.events:
             self._end_line()
-            print(f'  {event.step * self._mission.step_s:.1f} s {event.node}: {event.text}')
+            print(f'  {event.step * self._run.step_s:.1f} s {event.node}: {event.text}')
         self._watch.events.clear()
         if self._headless:
             return
         line = self._watch.line()
         if not self._watch.steps:
-            line = f'starting: {len(self._watch.ready)} of {len(self._supervisor.pids)} nodes ready'
+            line = f'starting: {len(self._watch.ready)} of {len(self._roster.names)} nodes ready'
         if sys.stdout.isatty():
             width = shutil.get_terminal_size().columns - 1      # a longer line would wrap
             print(f'\r\x1b[K{line[:width]}', end='', flush=True)
@@ -270,3 +297,9 @@ class Flight:
         if self._on_line:
             print()
             self._on_line = False
+
+
+def _load_the_report() -> None:
+    """Import what the report needs: it takes a second, in which nodes start or end."""
+    for module in ('rvd_campaign.report.run', 'matplotlib.figure'):
+        importlib.import_module(module)

@@ -6,7 +6,6 @@ it is shown, so that it does not slow the graph.
 """
 
 import time
-from importlib import import_module
 from typing import Any
 
 from rclpy.context import Context
@@ -17,26 +16,31 @@ from rclpy.qos import QoSProfile
 from rclpy.serialization import deserialize_message
 
 from rvd_dynamics.commands.codes import BY_AUTO, BY_BLEND, BY_GUARD, BY_NOBODY, BY_PILOT
-from rvd_dynamics.mission import Mission
-from rvd_dynamics.diagram.ros import graph, qos
+from rvd_dynamics.diagram.judge import from_message
+from rvd_dynamics.diagram.ros import qos
+from rvd_dynamics.diagram.ros.conversions import ns_of
+from rvd_dynamics.diagram.ros.host import message_type
+from rvd_dynamics.diagram.roster import Roster
 
-SHOWN = ('/truth/relative_state', '/ground/command', '/link/back/status')
+THRUST_COMMAND = 'rvd_interfaces/msg/ThrustCommand'
 SETTLE_S = 3.0                  # [s] wall time without news after which a look back is complete
 GLANCE_S = 0.05                 # [s] wall time between two looks at the flight
 DECIDES = {BY_NOBODY: 'nobody', BY_PILOT: 'pilot', BY_AUTO: 'auto', BY_GUARD: 'guard'}
 
 
-def message_type(name: str) -> type:
-    """Return the class of a type such as 'std_msgs/msg/String'."""
-    package, _, kind = name.split('/')
-    return getattr(import_module(f'{package}.msg'), kind)
-
-
 class FlightWatch:
     """Follows one run; `spin` it, then ask."""
 
-    def __init__(self, mission: Mission, domain: int) -> None:
-        self._mission = mission
+    def __init__(self, roster: Roster, domain: int) -> None:
+        self._roster, self._run = roster, roster.scenario.run
+        self._held = roster.scenario.has_shared('joy_input') and \
+            roster.scenario.part('operation').joy_input == 'held'
+        self._truth = roster.diagram.truth.name
+        self._command = next((name for name, kind in roster.topics.items()
+                              if kind == THRUST_COMMAND and name.startswith('/ground/')
+                              and roster.diagram.writer_of[name].control), None)
+        self._back = next((leg.status.name for leg in roster.diagram.legs()
+                           if leg.name == 'link_back'), None)
         self._context = Context()
         self._context.init(domain_id=domain)
         self._node = Node('rvd_fly', context=self._context, enable_rosout=False,
@@ -51,7 +55,7 @@ class FlightWatch:
         self.events: list[Any] = []
         self.steps = 0                          # truth messages looked at
         self.progress_at = time.monotonic()     # when the last one came
-        for topic in SHOWN:
+        for topic in filter(None, (self._truth, self._command, self._back)):
             self._subscribe(topic, lambda data, topic=topic: self._keep(topic, data), raw=True)
         self._subscribe('/run/ready', lambda m: self.ready.add(m.data))
         self._subscribe('/run/pause', self._on_pause)
@@ -59,14 +63,14 @@ class FlightWatch:
         self._subscribe('/run/events', self.events.append)
 
     def _subscribe(self, topic: str, callback: Any, raw: bool = False) -> None:
-        profile = qos.of(topic, self._mission.joy_input)
+        profile = qos.of(topic, self._held)
         self._node.create_subscription(
-            message_type(graph.TOPICS[topic]), topic, callback,
+            message_type(self._roster.topics[topic]), topic, callback,
             _newest(profile) if raw else profile, raw=raw)
 
     def _keep(self, topic: str, data: bytes) -> None:
         self._raw[topic] = data
-        if topic == '/truth/relative_state':
+        if topic == self._truth:
             self.steps += 1
             self.progress_at = time.monotonic()
             time.sleep(GLANCE_S)                # what comes meanwhile replaces what came before
@@ -86,34 +90,33 @@ class FlightWatch:
             # the first topic that is always ready starves the rest.
             self._executor.spin_once(timeout_sec=GLANCE_S)
 
-    def newest(self, topic: str) -> Any:
+    def newest(self, topic: str | None) -> Any:
         """Return the newest message of a shown topic, decoded; None before the first."""
         data = self._raw.get(topic)
         return None if data is None else deserialize_message(
-            data, message_type(graph.TOPICS[topic]))
+            data, message_type(self._roster.topics[topic]))
 
     def line(self) -> str:
-        """Return one line of progress: range, rate, margin, delay, who decides."""
-        truth, command = self.newest('/truth/relative_state'), self.newest('/ground/command')
-        back, verdict = self.newest('/link/back/status'), self.verdict
+        """Return one line of progress: time, range and rate, limited measures, who decides, delay."""
+        truth, command, back = map(self.newest, (self._truth, self._command, self._back))
         if truth is None:
             return ''
-        p, v = truth.position, truth.velocity
-        margin = verdict.min_corridor_margin if verdict is not None else float('nan')
-        delay = back.delay_p50 if back is not None else float('nan')
-        loop = self._mission.forward_delay_s + self._mission.back_delay_s
-        return (f't {truth.step * self._mission.step_s:6.1f} s  '
-                f'range {(p.x * p.x + p.y * p.y + p.z * p.z) ** 0.5:6.2f} m  '
-                f'rate {v.x:6.3f} m/s  margin {margin:5.2f} m  {_decides(command)}  '
-                f'transit {delay:4.2f} s, loop {loop:g} s  y {p.y:5.2f} z {p.z:5.2f} m'
-                + ('  PAUSED' if self.paused else ''))
+        words = [f't {truth.step * self._run.step_s:6.1f} s', *_motion(truth)]
+        if self.verdict is not None:
+            words += [f'{m.words} {m.said}' for m in from_message(self.verdict).measures
+                      if m.known and m.limited]
+        if command is not None:
+            words.append(_decides(command))
+        if back is not None:
+            words.append(f'transit {back.delay_p50:4.2f} s, one way {back.play_out_delay:g} s')
+        return '  '.join([*words, *(['PAUSED'] if self.paused else [])])
 
-    def who_owes(self, nodes: list[str], law_uses_stick: bool) -> list[str]:
+    def who_owes(self) -> list[str]:
         """
         Return the nodes that owe a message, from the last step that each topic remembers.
 
-        Ring topics keep their history for late readers, so they are read only now. A hung node
-        gives nothing back, so the wait ends when nothing new has come for a while.
+        Topics of the ring keep their history for late readers, so they are read only now. A hung
+        node gives nothing back, so the wait ends when nothing new has come for a while.
         """
         last: dict[str, int] = {}
 
@@ -122,27 +125,33 @@ class FlightWatch:
                 message = deserialize_message(data, kind)
                 step = getattr(message, 'step', getattr(message, 'data', None))
                 if step is None:                # Joy
-                    stamp = message.header.stamp
-                    step = (stamp.sec * 10**9 + stamp.nanosec) // self._mission.step_ns
+                    step = ns_of(message.header.stamp) // self._run.step_ns
                 last[topic] = max(step, last.get(topic, -1))
             return take
 
-        topics = {t for name in nodes if name in graph.NODES for t in graph.NODES[name].emits}
+        topics = {t for name in self._roster.names for t in self._roster.emits(name)}
         for topic in (topics - {'/clock'}) | {'/run/recorded_step'}:
-            kind = message_type(graph.TOPICS[topic])
+            kind = message_type(self._roster.topics[topic])
             self._node.create_subscription(kind, topic, note(topic, kind), qos.LATCHED, raw=True)
         known = -1
         while known < sum(last.values()):
             known = sum(last.values())
             self.spin(SETTLE_S)
-        return graph.who_owes(last, nodes, self._mission.operator, self._mission.joy_input,
-                              law_uses_stick)
+        return self._roster.who_owes(last)
 
     def close(self) -> None:
         """Leave the graph."""
         self._executor.shutdown()
         self._node.destroy_node()
         self._context.try_shutdown()
+
+
+def _motion(truth: Any) -> list[str]:
+    """Return range and rate along x, where the truth is a relative state."""
+    if not hasattr(truth, 'position'):
+        return []
+    p, v = truth.position, truth.velocity
+    return [f'range {(p.x * p.x + p.y * p.y + p.z * p.z) ** 0.5:6.2f} m', f'rate {v.x:6.3f} m/s']
 
 
 def _newest(profile: QoSProfile) -> QoSProfile:

@@ -1,5 +1,5 @@
 """
-`./rvd report SESSION`: the paper's Table 3 for people, and what they felt.
+`./rvd report SESSION`: success and measures of real people's flights, and what they felt.
 
 Reads the folders that the console's experiment desk leaves: `session.json`, and for each
 volunteer and flight `verdict.json` and `ratings.json`. Training flights do not count. A flight
@@ -9,19 +9,22 @@ that was flown and not rated, or broken off, is counted as such and left out of 
 import csv
 import json
 from dataclasses import dataclass
-from html import escape
 from pathlib import Path
 from statistics import mean, median, stdev
 from typing import Any
 
 from rvd_campaign.campaign.stats import wilson
-from rvd_campaign.report.page import STYLE
+from rvd_campaign.report.page import render
+from rvd_dynamics.diagram.judge import declared
+from rvd_dynamics.judge import Judge
+from rvd_dynamics.mission import Mission
+from rvd_dynamics.recording import whole
 from rvd_groundstation.console.desk import RATINGS, WEIGHTS
 
 SESSION = 'session.json'
-COLUMNS = ('volunteer', 'number', 'condition', 'mode', 'training', 'seed', 'reason', 'success',
-           'duration_s', 'x_rate_m_s', 'offset_m', 'lateral_rate_m_s', 'delta_v_m_s',
-           'cooper_harper', 'tlx', 'tlx_weighted')
+BEFORE = ('volunteer', 'number', 'condition', 'mode', 'training', 'seed', 'reason', 'success',
+          'duration_s')                 # columns of a flight, then its measures, then these
+AFTER = ('cooper_harper', 'tlx', 'tlx_weighted')
 
 
 @dataclass(frozen=True)
@@ -32,17 +35,10 @@ class Condition:
     flights: int
     successes: int
     interval: tuple[float, float]       # Wilson 95 %
-    x_rate: float | None                # [m/s] means over successes, as in the paper
-    offset: float | None                # [m]
-    lateral_rate: float | None          # [m/s]
+    means: dict[str, float]             # over successes, of the measures known in any
     cooper_harper: tuple                # median, lowest, highest
     tlx: tuple                          # mean, standard deviation (None for one flight)
     tlx_weighted: tuple | None          # likewise; None where weights were not asked for
-
-
-def is_session(folder: Path) -> bool:
-    """Say whether `folder` is one that the experiment desk made."""
-    return (folder / SESSION).is_file()
 
 
 def write_session_report(folder: Path) -> Path:
@@ -58,13 +54,13 @@ def write_session_report(folder: Path) -> Path:
     flights, left_out = read_flights(folder)
     if not any(not flight['training'] for flight in flights):
         raise ValueError(f'session {folder} has no rated flight yet')
-    with (folder / 'flights.csv').open('w', newline='', encoding='utf-8') as file:
-        writer = csv.DictWriter(file, COLUMNS)
+    with whole.draft(folder / 'flights.csv', 'w', newline='', encoding='utf-8') as file:
+        writer = csv.DictWriter(file, [*BEFORE, *_measures(flights), *AFTER])
         writer.writeheader()
         writer.writerows(flights)
     table = conditions(flights, list(session['conditions']))
     report = folder / 'report.html'
-    report.write_text(_page(session, table, flights, left_out), encoding='utf-8')
+    whole.write_text(report, _page(session, table, flights, left_out))
     return report
 
 
@@ -78,17 +74,21 @@ def read_flights(folder: Path) -> tuple[list[dict[str, Any]], int]:
             left_out += 1
             continue
         ratings = json.loads(ratings_file.read_text(encoding='utf-8'))
-        end = verdict.get('terminal', {})
         rows.append({
             **{key: ratings[key] for key in ('volunteer', 'number', 'condition', 'mode',
                                              'training', 'seed')},
             'reason': verdict['reason'], 'success': verdict['success'],
-            'duration_s': verdict.get('duration_s'), 'x_rate_m_s': end.get('x_rate_m_s'),
-            'offset_m': end.get('offset_m'), 'lateral_rate_m_s': end.get('lateral_rate_m_s'),
-            'delta_v_m_s': verdict.get('delta_v_m_s'),
+            'duration_s': verdict.get('duration_s'),
+            **{name: m['value'] for name, m in verdict.get('measures', {}).items()},
             'cooper_harper': ratings['cooper_harper']['rating'], 'tlx': ratings['tlx']['mean'],
             'tlx_weighted': _weighted(ratings, file.parent.parent)})
     return rows, left_out
+
+
+def _measures(flights: list[dict[str, Any]]) -> list[str]:
+    """Return the names of all measures, in the order of the verdicts."""
+    return list(dict.fromkeys(key for flight in flights for key in flight
+                              if key not in (*BEFORE, *AFTER)))
 
 
 def _weighted(ratings: dict[str, Any], volunteer: Path) -> float | None:
@@ -111,8 +111,7 @@ def conditions(flights: list[dict[str, Any]], names: list[str]) -> list[Conditio
         good = [f for f in rows if f['success']]
         ratings = [f['cooper_harper'] for f in rows]
         made.append(Condition(
-            name, len(rows), len(good), wilson(len(good), len(rows)), _mean(good, 'x_rate_m_s'),
-            _mean(good, 'offset_m'), _mean(good, 'lateral_rate_m_s'),
+            name, len(rows), len(good), wilson(len(good), len(rows)), _means(good),
             (median(ratings), min(ratings), max(ratings)),
             _spread([f['tlx'] for f in rows]),
             _spread([f['tlx_weighted'] for f in rows if f['tlx_weighted'] is not None])))
@@ -130,7 +129,7 @@ def pairs(flights: list[dict[str, Any]], first: str, second: str) -> tuple[int, 
     """
     Return how flights of one volunteer with one seed went in two conditions.
 
-    The numbers are: both docked, only the first, only the second, neither.
+    The numbers are: both succeeded, only the first, only the second, neither.
     """
     of = {name: {(f['volunteer'], f['seed']): f['success'] for f in flights
                  if f['condition'] == name and not f['training']} for name in (first, second)}
@@ -139,23 +138,31 @@ def pairs(flights: list[dict[str, Any]], first: str, second: str) -> tuple[int, 
             both.count((False, False)))
 
 
-def _mean(rows: list[dict[str, Any]], key: str) -> float | None:
-    values = [row[key] for row in rows if row[key] is not None]
-    return mean(values) if values else None
+def _means(rows: list[dict[str, Any]]) -> dict[str, float]:
+    """Return the mean of each measure that is known in any of the flights."""
+    known = {name: [row[name] for row in rows if row.get(name) is not None]
+             for name in _measures(rows)}
+    return {name: mean(values) for name, values in known.items() if values}
 
 
 def _number(value: float | None, digits: int) -> str:
     return '–' if value is None else f'{value:.{digits}f}'
 
 
-def _row(c: Condition, weighted: bool) -> str:
-    cells = (escape(c.name), str(c.flights),
-             f'{c.successes / c.flights:.2f} [{c.interval[0]:.2f}, {c.interval[1]:.2f}]',
-             _number(c.x_rate, 4), _number(c.offset, 4), _number(c.lateral_rate, 4),
-             f'{c.cooper_harper[0]:g} ({c.cooper_harper[1]}–{c.cooper_harper[2]})', _load(c.tlx))
-    if weighted:
-        cells += (_load(c.tlx_weighted or (None, None)),)
-    return '<tr>' + ''.join(f'<td>{cell}</td>' for cell in cells) + '</tr>'
+def _row(c: Condition, measures: dict[str, dict[str, Any]], weighted: bool
+         ) -> list[str | tuple[str, str]]:
+    cells = [c.name, str(c.flights),
+             (f'{c.successes / c.flights:.2f}', f'[{c.interval[0]:.2f}, {c.interval[1]:.2f}]'),
+             *(_number(c.means.get(name), m['digits']) for name, m in measures.items()),
+             f'{c.cooper_harper[0]:g} ({c.cooper_harper[1]}–{c.cooper_harper[2]})', _load(c.tlx)]
+    return [*cells, _load(c.tlx_weighted or (None, None))] if weighted else cells
+
+
+def _tabled(table: list[Condition]) -> dict[str, dict[str, Any]]:
+    """Return words, unit and digits of each measure that the table has means of."""
+    known = declared(Judge(Mission()).measures)
+    names = dict.fromkeys(name for condition in table for name in condition.means)
+    return {name: known.get(name, {'words': name, 'unit': '', 'digits': 4}) for name in names}
 
 
 def _load(spread: tuple) -> str:
@@ -164,29 +171,19 @@ def _load(spread: tuple) -> str:
 
 def _page(session: dict[str, Any], table: list[Condition], flights: list[dict[str, Any]],
           left_out: int) -> str:
-    people = sorted({f['volunteer'] for f in flights})
-    compared = ''
+    compared = None
     if len(table) == 2:
-        both, first, second, neither = pairs(flights, table[0].name, table[1].name)
-        compared = (f'<p>Pairs of one volunteer and one seed: both docked {both}, only '
-                    f'{escape(table[0].name)} {first}, only {escape(table[1].name)} {second}, '
-                    f'neither {neither}.</p>')
+        first, second = table[0].name, table[1].name
+        both, only_first, only_second, neither = pairs(flights, first, second)
+        compared = {'first': first, 'second': second, 'both': both, 'only_first': only_first,
+                    'only_second': only_second, 'neither': neither}
     weighted = any(c.tlx_weighted is not None for c in table)
-    rows = ''.join(_row(c, weighted) for c in table)
-    more_head = '<th>NASA-TLX, weighted</th>' if weighted else ''
-    more_words = (' Weighted: by how often a volunteer chose each scale in the 15 pairs, asked '
-                  'once for each condition.' if weighted else '')
-    return f'''<!doctype html><html lang="en"><head><meta charset="utf-8">
-<title>{escape(session['title'])}</title><style>{STYLE}</style></head><body>
-<header><h1>{escape(session['title'])}</h1><p>{len(people)} volunteers, {len(flights)} rated
-flights, training included; {left_out} flown and not rated.</p></header><main>
-<h2>Conditions</h2><table class="numbers"><tr><th>condition</th><th>flights</th>
-<th>success, 95 %</th><th>closing rate, m/s</th><th>offset, m</th><th>lateral rate, m/s</th>
-<th>Cooper-Harper</th><th>NASA-TLX</th>{more_head}</tr>{rows}</table>
-<p>Closing rate, offset and lateral rate are means over successes, as in Table 3 of the paper
-(manual .76, .2498, .1444, .0182; shared .91, .2501, .1347, .0186). Success with its Wilson
-interval, which takes flights of one volunteer as independent. Cooper-Harper: median (lowest to
-highest), 1 is best. NASA-TLX: mean of the six scales ± standard deviation, 0 to
-100.{more_words}</p>
-{compared}<p>Every flight: <code>flights.csv</code>.</p></main></body></html>
-'''
+    measures = _tabled(table)
+    return render(
+        'people.html.j2', title=session['title'], note=session.get('note', ''),
+        volunteers=len({f['volunteer'] for f in flights}), flights=len(flights),
+        left_out=left_out, weighted=weighted, pairs=compared,
+        heads=['condition', 'flights', ('success', '95 %'),
+               *((m['words'], m['unit']) for m in measures.values()), 'Cooper-Harper', 'NASA-TLX',
+               *(['NASA-TLX, weighted'] if weighted else [])],
+        rows=[_row(c, measures, weighted) for c in table])

@@ -11,25 +11,22 @@ finished run, 2 nothing to show, with one line that says why.
 
 import os
 import sys
-from collections.abc import Callable, Iterator
-from functools import partial
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from mcap.records import Channel, Message, Schema
-from mcap_ros2.decoder import DecoderFactory
-
 from rvd_dynamics.diagram.display import TRUTH
-from rvd_dynamics.recording.mcap_file import records
-from rvd_dynamics.recording.reader import mission_of
-from rvd_groundstation.console.decode import command_of, link_of, Sample, SAMPLES, telemetry_of
-from rvd_groundstation.console.feed import Feed, PILOT
+from rvd_dynamics.diagram.judge import for_page, from_message
+from rvd_dynamics.recording.messages import files_of, MessageFile, Stored
+from rvd_dynamics.recording.recording import scenario_of
+from rvd_groundstation.console.decode import COMMANDS, link_of, SAMPLES, telemetry_of
+from rvd_groundstation.console.feed import Feed
 from rvd_groundstation.console.protocol import encode
-from rvd_groundstation.console.provider import display_of
+from rvd_groundstation.console.provider import display_of, on_ground, PILOT
 
 MOST_FRAMES = 900
-SCENARIO, TRUE_STATE = '/run/scenario', '/truth/relative_state'
-LINK, EVENTS, VERDICT = '/link/back/status', '/run/events', '/run/verdict'
+SCENARIO, LINK, EVENTS, VERDICT = ('/run/scenario', '/link/back/status', '/run/events',
+                                  '/run/verdict')
 
 
 def load(runs: Path, name: str) -> str:
@@ -47,35 +44,14 @@ def load(runs: Path, name: str) -> str:
     folder = (root / name).resolve()
     if root not in folder.parents or not (folder / 'verdict.json').is_file():
         raise FileNotFoundError(name)           # also whatever points out of the runs folder
-    files = sorted((folder / 'bag').glob('*.mcap'))
-    if not files:
+    if not any((folder / 'bag').glob('*.mcap')):
         raise ValueError('this run has no bag')
+    files = files_of(folder)
     replay = Replay(name)
-    for topic, kind, decode in messages(files):
-        replay.take(topic, kind, decode)
-    return encode(replay.content())
-
-
-def messages(files: list[Path]) -> Iterator[tuple[str, str, Callable[[], Any]]]:
-    """Yield topic, message type and decoder of each message, in file order."""
     for file in files:
-        factory, schemas, channels, decoders = DecoderFactory(), {}, {}, {}
-
-        def decoded(message: Message) -> Any:
-            at = message.channel_id
-            if at not in decoders:
-                channel = channels[at]
-                decoders[at] = factory.decoder_for(channel.message_encoding,
-                                                   schemas[channel.schema_id])
-            return decoders[at](message.data)
-        for record in records(file):
-            if isinstance(record, Message):
-                channel = channels[record.channel_id]
-                yield channel.topic, schemas[channel.schema_id].name, partial(decoded, record)
-            elif isinstance(record, Schema):
-                schemas[record.id] = record
-            elif isinstance(record, Channel):
-                channels[record.id] = record
+        for stored in MessageFile(file):
+            replay.take(stored)
+    return encode(replay.content())
 
 
 class Replay:
@@ -92,25 +68,32 @@ class Replay:
         self._takers: dict[str, Callable] = {}
         self._shown: frozenset[str] = frozenset()
 
-    def take(self, topic: str, kind: str, decode: Callable[[], Any]) -> None:
+    def take(self, stored: Stored) -> None:
         """Take one message, which is decoded only if it is shown."""
+        topic, kind = stored.topic, stored.source.kind
         if topic == SCENARIO:
-            self._begin(Feed(display_of(mission_of(decode().data))))
+            self._begin(stored.message.data)
         elif topic in self._takers:
-            self._takers[topic](decode())
+            self._takers[topic](stored.message)
         elif topic in self._shown and kind in SAMPLES:
-            sample = SAMPLES[kind](decode())
+            sample = SAMPLES[kind](stored.message)
             if sample is not None:
                 self._feed.signal(topic, sample)
 
-    def _begin(self, feed: Feed) -> None:
-        display = feed.display
-        self._feed = feed
+    def _begin(self, text: str) -> None:
+        scenario, note = scenario_of(text)
+        if scenario is None:
+            raise ValueError(note)
+        feed = self._feed = Feed(display_of(scenario))
+        display, signals = feed.display, on_ground(scenario.diagram)
+        self._width = signals[display.measured].parts[0].shape[0]
+        self._command_of = COMMANDS[signals[display.commands.sent].message]
+        self._truth_of = SAMPLES[scenario.diagram.truth.message]
         self._shown = frozenset(display.parts()) | frozenset(feed.provider.derives_from)
         self._every = max(1, -(-feed.facts.last_step // MOST_FRAMES))
         self._takers = {
             display.measured: self._telemetry, display.commands.sent: self._command,
-            PILOT: self._joy, LINK: self._link, TRUE_STATE: self._on_truth,
+            PILOT: self._joy, LINK: self._link, scenario.diagram.truth.name: self._on_truth,
             EVENTS: self._event, VERDICT: self._on_verdict}
 
     def content(self) -> dict[str, Any]:
@@ -125,7 +108,8 @@ class Replay:
                 'verdict': self._verdict}
 
     def _telemetry(self, m: Any) -> None:
-        self._feed.telemetry(telemetry_of(m, self._feed.facts.step_s))
+        self._feed.telemetry(telemetry_of(m, self._feed.facts.step_s, self._width,
+                                          self._feed.provider.measured))
 
     def _joy(self, m: Any) -> None:
         self._feed.pilot(*self._feed.provider.pilot(m.axes, m.buttons))
@@ -134,15 +118,15 @@ class Replay:
         self._feed.link(link_of(m))
 
     def _command(self, m: Any) -> None:
-        self._feed.command(command_of(m))
+        self._feed.command(self._command_of(m))
         if m.step % self._every == 0:
             frame = self._feed.frame(self._feed.ladder.version)
             del frame['type'], frame['ladder']
             self._frames.append(frame)
 
     def _on_truth(self, m: Any) -> None:
-        if m.step % self._every == 0 or m.final:
-            sample: Sample = SAMPLES['rvd_interfaces/msg/RelativeState'](m)
+        sample = self._truth_of(m)
+        if m.step % self._every == 0 or sample.parts['final']:
             self._truth[m.step] = {'k': sample.step, 't': sample.t, 'ok': sample.ok,
                                    'parts': sample.parts}
 
@@ -152,7 +136,7 @@ class Replay:
 
     def _on_verdict(self, m: Any) -> None:
         if m.final:
-            self._verdict = self._feed.provider.verdict(m)
+            self._verdict = for_page(from_message(m))
 
 
 def main(runs: str, name: str) -> int:

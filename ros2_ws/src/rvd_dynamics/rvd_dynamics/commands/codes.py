@@ -2,7 +2,7 @@
 The constants of `rvd_interfaces/msg/ThrustCommand.msg` as plain integers.
 
 Pure modules (blender, guard, links, in-process loop) use these names and need no ROS; a test
-holds them equal to the message's. What each means stands in the message, its one place.
+holds them equal to the message's. Their meaning is documented in the message, and only there.
 """
 
 KIND_THRUST = 0

@@ -4,21 +4,57 @@ Thrust levels -3 .. 3 along x, y, z of the target orbital frame.
 Shapes  levels, accelerations and deflections carry x, y, z on the last axis; leading axes
         are batch axes.
 Source  Zhang, Li, Tang 2014, Table 2 (accelerations). The paper does not say how a force
-        becomes a level: here the nearest one, with thresholds half-way between levels.
+        becomes a level; here it is the nearest one, with thresholds half-way between levels.
 """
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import lru_cache
+from struct import Struct
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rvd_dynamics.mission import StickParams, ThrustParams
+from rvd_dynamics.diagram.params import param, require, settings
 
 HIGHEST = 3                             # levels run from -HIGHEST to HIGHEST
+LEVELS = range(-HIGHEST, HIGHEST + 1)
 AXES = np.arange(3, dtype=np.int8)
 NEUTRAL = np.zeros(3, dtype=np.int8)
 NEUTRAL.flags.writeable = False
+
+
+@settings
+class ThrustParams:
+    """Thrust acceleration of the levels 1, 2, 3 (Table 2)."""
+
+    x_m_s2: tuple = param(
+        (0.01, 0.02, 0.03), 'Accelerations of the levels 1, 2, 3 along x [m/s^2].',
+        above=0.0, length=3, rising=True)
+    lateral_m_s2: tuple = param(
+        (0.005, 0.01, 0.02), 'Accelerations of the levels 1, 2, 3 along y and z [m/s^2].',
+        above=0.0, length=3, rising=True)
+
+
+@settings
+class StickParams:
+    """How a `sensor_msgs/Joy` becomes levels; the defaults are those of the `joy` ecosystem."""
+
+    axis_x: int = param(1, 'Index of the axis that commands x.', low=0, high=63)
+    axis_y: int = param(0, 'Index of the axis that commands y.', low=0, high=63)
+    axis_z: int = param(4, 'Index of the axis that commands z.', low=0, high=63)
+    sign_x: int = param(1, 'Sense of the x axis, where -1 reverses it.', choices=(1, -1))
+    sign_y: int = param(1, 'Sense of the y axis, where -1 reverses it.', choices=(1, -1))
+    sign_z: int = param(1, 'Sense of the z axis, where -1 reverses it.', choices=(1, -1))
+    dead_zone: float = param(
+        0.05, 'Deflection up to which an axis counts as neutral, as a fraction of full '
+        'deflection.', low=0.0, below=1.0)
+    deadman_button: int = param(
+        4, 'Index of the button that must be held, where -1 means none.', low=-1, high=63)
+
+    def __post_init__(self) -> None:
+        require(len({self.axis_x, self.axis_y, self.axis_z}) == 3, 'axis_x, axis_y, axis_z',
+                'differ', [self.axis_x, self.axis_y, self.axis_z])
 
 
 @lru_cache(maxsize=16)
@@ -62,14 +98,15 @@ def acceleration(levels: ArrayLike, thrust: ThrustParams) -> NDArray[np.float64]
     index = levels + HIGHEST
     if index.size and not (index.min() >= 0 and index.max() <= 2 * HIGHEST):
         raise ValueError(f'levels must be -3 to 3, got {levels[abs(levels) > 3].tolist()}')
-    return _accelerations(thrust).ravel()[3*index + AXES]
+    # transposed there and back: in a batch the components come first in memory
+    return _accelerations(thrust).ravel().take((3*index + AXES).T).T
 
 
 def nearest_level(accel: ArrayLike, thrust: ThrustParams) -> NDArray[np.int8]:
     """
     Return the level whose acceleration is nearest, shape (..., 3); a tie takes the larger.
 
-    What is not finite asks for nothing: level 0 (its invalidity must travel beside it).
+    A value that is not finite gives level 0; that it is invalid must be passed on separately.
     """
     accel = np.asarray(accel, dtype=float)
     size = np.abs(accel)
@@ -85,8 +122,8 @@ def level_of_deflection(deflection: ArrayLike, dead_zone: float = 0.05) -> NDArr
     """
     Return the level of stick deflections of any shape: sign(a) floor(3 |a| + 0.5).
 
-    Up to `dead_zone` a deflection is neutral. A stick that stands at level / 3, as tapes and
-    models put it, gives that level.
+    A deflection up to `dead_zone` is neutral. A stick at level / 3, where tapes and models put
+    it, gives that level.
 
     Raises
     ------
@@ -102,13 +139,33 @@ def level_of_deflection(deflection: ArrayLike, dead_zone: float = 0.05) -> NDArr
     return np.where(deflection < 0.0, -level, level)
 
 
+def stick_axes(deflection: Sequence[float], held: bool, stick: StickParams
+               ) -> tuple[list[float], list[int]]:
+    """
+    Return axes and buttons of a `sensor_msgs/Joy`, of which `stick_levels` makes levels again.
+
+    Parameters
+    ----------
+    deflection : sequence of float, length 3
+        Along x, y, z, each -1 to 1.
+    held : bool
+        The dead-man button is held; nothing says so where `stick` has none.
+    """
+    wanted = (stick.axis_x, stick.axis_y, stick.axis_z)
+    axes = [0.0] * (1 + max(wanted))
+    for axis, sign, value in zip(wanted, (stick.sign_x, stick.sign_y, stick.sign_z), deflection):
+        axes[axis] = sign*value + 0.0                   # not -0.0
+    buttons = [0] * stick.deadman_button + [int(held)] if stick.deadman_button >= 0 else []
+    return axes, buttons
+
+
 def stick_levels(axes: Sequence[float], buttons: Sequence[int],
                  stick: StickParams) -> tuple[NDArray[np.int8], bool]:
     """
     Return the levels (3,) of one `sensor_msgs/Joy` and whether the message is valid.
 
-    The whole message is invalid, and its levels 0, when any axis is NaN or beyond -1 .. 1,
-    when an axis or button that `stick` names is not there, or when the dead-man button is open.
+    The whole message is invalid, and its levels are 0, if any axis is NaN or beyond -1 .. 1,
+    if an axis or button that `stick` names is missing, or if the dead-man button is open.
     """
     wanted = (stick.axis_x, stick.axis_y, stick.axis_z)
     if len(axes) <= max(wanted) or not all(-1.0 <= a <= 1.0 for a in axes):
@@ -118,3 +175,31 @@ def stick_levels(axes: Sequence[float], buttons: Sequence[int],
         return NEUTRAL.copy(), False
     levels = level_of_deflection([axes[i] for i in wanted], stick.dead_zone)
     return levels * np.array((stick.sign_x, stick.sign_y, stick.sign_z), dtype=np.int8), True
+
+
+@dataclass(frozen=True)
+class LevelForm:
+    """
+    The command form of level thrusters; see `commands.form`.
+
+    A command is three whole levels -3..3 along x, y, z, shape (..., 3) of int8.
+    """
+
+    thrust: ThrustParams = ThrustParams()
+
+    alphabet = np.arange(-HIGHEST, HIGHEST + 1, dtype=np.int8)      # of each axis
+    neutral = NEUTRAL
+    retreat = np.array((-HIGHEST, 0, 0), dtype=np.int8)             # brake and back away
+    wire = Struct('<3b')
+
+    def effect(self, command: ArrayLike) -> NDArray[np.float64]:
+        """Return the nominal acceleration (..., 3) [m/s^2] of commands (..., 3)."""
+        return acceleration(command, self.thrust)
+
+    def quantise(self, wanted: ArrayLike) -> NDArray[np.int8]:
+        """Return the command nearest to accelerations (..., 3) [m/s^2]; neutral where unknown."""
+        return nearest_level(wanted, self.thrust)
+
+    def legal(self, command: Sequence) -> bool:
+        """Say whether a command, as it came over the wire, is one (NaN and 1.5 are not)."""
+        return all(level in LEVELS for level in command)

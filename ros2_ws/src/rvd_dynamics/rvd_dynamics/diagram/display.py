@@ -815,7 +815,6 @@ class Display:
     charts: Charts | None = None
     legend: tuple[Legend, ...] = ()
     modes: tuple[str, ...] = MODES          # those that a pilot may choose
-    reasons: Mapping[str, str] | None = None            # words for the judge's reasons
     abort: str = ''             # what the craft does under ABORT: "braking and backing away"
     goal: str = 'success'       # what a good flight is: "docking within the limits"
     hint: str = ''              # what a pilot is told before a flight

@@ -8,7 +8,9 @@ the rows of a shorter one. Normals have zero mean and unit deviation; uniforms l
 """
 
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
+from dataclasses import dataclass
+from typing import Any, NamedTuple, Protocol
+from zlib import crc32
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,6 +33,29 @@ PURPOSES = {
 }
 
 
+def number_of(purpose: str) -> int:
+    """
+    Return the number of a purpose in the key of its stream.
+
+    The purposes of the first mission have numbers of their own; any other is named
+    `mission/block/purpose` and keyed by the CRC-32 of that name.
+
+    Raises
+    ------
+    ValueError
+        If the purpose is neither, or its number is that of a numbered one.
+    """
+    if purpose in PURPOSES:
+        return PURPOSES[purpose]
+    if purpose.count('/') != 2:
+        raise ValueError(f'purpose must be one of {", ".join(PURPOSES)}, or of the form '
+                         f'mission/block/purpose, got {purpose!r}')
+    number = crc32(purpose.encode())
+    if number in PURPOSES.values():
+        raise ValueError(f'purpose {purpose!r} has the stream of another: give it another name')
+    return number
+
+
 class PilotDraws(NamedTuple):
     """All draws of one pilot over one run; stacked runs have a leading axis."""
 
@@ -47,15 +72,14 @@ def generator(seed: int, run: int, purpose: str) -> np.random.Generator:
     Raises
     ------
     ValueError
-        If `purpose` is not a key of PURPOSES, or `seed` or `run` is negative or too large.
+        If `purpose` is impossible, or `seed` or `run` is negative or too large.
     """
-    if purpose not in PURPOSES:
-        raise ValueError(f'purpose must be one of {", ".join(PURPOSES)}, got {purpose!r}')
+    number = number_of(purpose)
     if not 0 <= seed < 2**64:
         raise ValueError(f'seed must be between 0 and 2^64 - 1, got {seed}')
     if not 0 <= run < 2**32:            # one word of the key: two runs cannot share one
         raise ValueError(f'run must be between 0 and 2^32 - 1, got {run}')
-    key = np.random.SeedSequence(entropy=int(seed), spawn_key=(int(run), PURPOSES[purpose]))
+    key = np.random.SeedSequence(entropy=int(seed), spawn_key=(int(run), number))
     return np.random.Generator(np.random.PCG64(key))
 
 
@@ -99,7 +123,7 @@ def generators(seed: int, runs: Sequence[int], purpose: str) -> Iterator[np.rand
     The campaign's way in: a tenth of the time, and the same numbers.
     """
     generator(seed, max(runs), purpose)                 # refuses what it refuses
-    return seeding.generators(seed, [(run, PURPOSES[purpose]) for run in runs])
+    return seeding.generators(seed, [(run, number_of(purpose)) for run in runs])
 
 
 def start_normals_of_runs(seed: int, runs: Sequence[int]) -> Block:
@@ -152,3 +176,68 @@ def _columns(rngs: Iterator[np.random.Generator], count: int, size: int,
 def _blocks(columns: Block, width: int) -> Block:
     """Return (N, steps, width) of columns (steps*width, N), in place."""
     return columns.reshape(-1, width, columns.shape[-1]).transpose(2, 0, 1)
+
+
+# -- what a block declares --------------------------------------------------------------------
+
+class Draw(Protocol):
+    """
+    Chance that a block declares: drawn before the run, for one run or for many.
+
+    Equal draws of one seed and one time grid are the same numbers, so draws are hashable and
+    conditions with equal draws share them.
+    """
+
+    def of_run(self, seed: int, run: int, steps: int) -> Any:
+        """Return the draws of one run."""
+
+    def of_runs(self, seed: int, runs: Sequence[int], steps: int) -> Any:
+        """Return the draws of N runs, with a leading axis."""
+
+
+@dataclass(frozen=True)
+class Normals:
+    """Standard normals, one row for each step: (steps, width)."""
+
+    purpose: str
+    width: int
+
+    def of_run(self, seed: int, run: int, steps: int) -> Block:
+        """Return (steps, width)."""
+        return generator(seed, run, self.purpose).standard_normal((steps, self.width))
+
+    def of_runs(self, seed: int, runs: Sequence[int], steps: int) -> Block:
+        """Return (N, steps, width)."""
+        return normals_of_runs(seed, runs, self.purpose, steps, self.width)
+
+
+@dataclass(frozen=True)
+class StartNormals:
+    """Standard normals of the start, one row for the run: (width,)."""
+
+    purpose: str = 'start'
+    width: int = 6
+
+    def of_run(self, seed: int, run: int, steps: int) -> Block:
+        """Return (width,)."""
+        return generator(seed, run, self.purpose).standard_normal(self.width)
+
+    def of_runs(self, seed: int, runs: Sequence[int], steps: int) -> Block:
+        """Return (N, width)."""
+        return _columns(generators(seed, runs, self.purpose), len(runs), self.width).T
+
+
+@dataclass(frozen=True)
+class PilotChance:
+    """Everything that a model pilot draws over a run, and the skill of the person who flies."""
+
+    runs_per_operator: int = 1
+
+    def of_run(self, seed: int, run: int, steps: int) -> tuple[PilotDraws, float]:
+        """Return the draws of a run and the skill."""
+        return pilot_draws(seed, run, steps), skill_normal(seed, run // self.runs_per_operator)
+
+    def of_runs(self, seed: int, runs: Sequence[int], steps: int) -> tuple[PilotDraws, Block]:
+        """Return the draws of N runs and the skills (N,)."""
+        return (pilot_draws_of_runs(seed, runs, steps),
+                skill_normals(seed, [run // self.runs_per_operator for run in runs]))

@@ -5,9 +5,9 @@ Arrays  control points (3, 4, K) [m]: axis, point, arc; fraction s in [0, 1] of 
 Valid   error h^4/384 max|x''''|: below 1e-10 m for orbital motion under thrust that is
         constant over a step of at most 1 s.
 
-An arc lies in the convex hull of its control points, so a concave function of position (the
-signed distance to a cone is one) is nowhere on the arc below its least value at them. All
-searches take a fixed number of passes and treat every arc alone: no arc sees its neighbours.
+An arc lies in the convex hull of its control points, so a concave function of position (such as
+the signed distance to a cone) is nowhere on the arc below its least value at these points. All
+searches take a fixed number of passes and treat every arc independently of its neighbours.
 """
 
 from collections.abc import Callable
@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 Function = Callable[[Array], Array]     # of fractions (K, CELLS + 1), same shape
 
-CELLS = 32                              # of one pass; two passes resolve 1 / 512 of an arc
+CELLS = 32                              # per pass; two passes resolve 1 / 512 of an arc
 GRID = np.linspace(0.0, 1.0, CELLS + 1)
 PASSES = 2
 

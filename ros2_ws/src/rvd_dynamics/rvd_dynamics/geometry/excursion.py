@@ -1,33 +1,32 @@
 """
 How near runs came to the corridor wall, and where they first left it.
 
-Samples are followed as they come. An arc between two samples is searched only if its control
-points say that it may hold a lower margin than every sample so far, or the first exit. Such
-arcs wait until the result is asked for: later samples make most searches needless.
+Samples are taken as they come. An arc between two samples is searched only if, by its control
+points, it may hold a lower margin than every sample so far, or the first exit. Such arcs wait
+until the result is asked for, because later samples make most searches needless.
 """
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rvd_dynamics.geometry import arc
-from rvd_dynamics.geometry.cone import distance_at
-from rvd_dynamics.mission import CorridorParams
+from rvd_dynamics.geometry.cone import Cone, distance_at
 
 Mask = NDArray[np.bool_]
 
 WAITING = 20_000        # arcs that may wait: bounds memory
-SLACK = 1e-9            # [m] above rounding: when arcs are searched does not change the result
+SLACK = 1e-9            # [m] above rounding: the result must not depend on when arcs are searched
 
 
 class Excursion:
     """Least margin and first exit of N runs; positions are (3, N) [m], times [s]."""
 
-    def __init__(self, n: int, corridor: CorridorParams, step_s: float) -> None:
+    def __init__(self, n: int, corridor: Cone, step_s: float) -> None:
         self._corridor = corridor
         self._step_s = step_s
-        self._sampled = np.full(n, np.nan)              # least margin of the samples alone
-        self._outside = np.zeros(n, dtype=bool)         # by the samples alone
-        self._margin = np.full(n, np.inf)               # least margin of the searched arcs
+        self._sampled = np.full(n, np.nan)              # least margin at the samples
+        self._outside = np.zeros(n, dtype=bool)         # judged by the samples
+        self._margin = np.full(n, np.inf)               # least margin on the searched arcs
         self._exit_time = np.full(n, np.nan)
         self._exit_position = np.full((3, n), np.nan)
         self._waiting: list[tuple] = []
@@ -42,13 +41,13 @@ class Excursion:
 
     def follow(self, step: int, points: arc.Array, live: Mask, cut: Mask,
                flown: arc.Array) -> None:
-        """Take the arcs (3, 4, N) that end at `step`; those `cut` count up to `flown` (N,)."""
+        """Take the arcs (3, 4, N) up to `step`; those in `cut` end at fraction `flown` (N,)."""
         inner, outer, sample = self._distance(points[:, 1:])
         np.minimum(self._sampled, sample, out=self._sampled, where=live > cut)
         bound = np.minimum(inner, outer)
         search = (bound < self._sampled) | cut
         outside = self._sampled <= 0.0
-        search |= outside > self._outside               # the sample that is first outside
+        search |= outside > self._outside               # the first sample outside
         self._outside = outside
         rows = np.flatnonzero(search & live)
         if rows.size:
@@ -65,7 +64,7 @@ class Excursion:
         return np.minimum(self._sampled, self._margin), self._exit_time, self._exit_position
 
     def _search(self) -> None:
-        """Search the waiting arcs, which are in the order of time, where it still matters."""
+        """Search the waiting arcs, which are in order of time, if they can still matter."""
         if not self._waiting:
             return
         waiting = [np.concatenate(part, axis=-1) for part in zip(*self._waiting)]

@@ -53,30 +53,8 @@ def ellipsoid(covariance: ArrayLike, sigmas: float
     ndarray, shape (4,)
         Unit quaternion (x, y, z, w) that turns the frame's axes into those of the ellipsoid.
     """
+    from scipy.spatial.transform import Rotation        # 0.2 s: not while the nodes start
     variance, axes = np.linalg.eigh(np.asarray(covariance, dtype=float))
     if np.linalg.det(axes) < 0.0:
         axes[:, 0] = -axes[:, 0]
-    return sigmas * np.sqrt(np.maximum(variance, 0.0)), quaternion(axes)
-
-
-def quaternion(rotation: NDArray[np.float64]) -> NDArray[np.float64]:
-    """
-    Return the unit quaternion (x, y, z, w) of a rotation matrix (3, 3).
-
-    Source  S. W. Shepperd, J. Guidance and Control 1(3), 1978: divide by the largest part.
-    """
-    trace = rotation.trace()
-    parts = np.append(np.diag(rotation), trace)
-    largest = int(parts.argmax())
-    q = np.empty(4)
-    if largest == 3:
-        q[:3] = (rotation[2, 1] - rotation[1, 2], rotation[0, 2] - rotation[2, 0],
-                 rotation[1, 0] - rotation[0, 1])
-        q[3] = 1.0 + trace
-    else:
-        i, j, k = largest, (largest + 1) % 3, (largest + 2) % 3
-        q[i] = 1.0 + 2.0 * rotation[i, i] - trace
-        q[j] = rotation[j, i] + rotation[i, j]
-        q[k] = rotation[k, i] + rotation[i, k]
-        q[3] = rotation[k, j] - rotation[j, k]
-    return q / np.sqrt((q * q).sum())
+    return sigmas * np.sqrt(np.maximum(variance, 0.0)), Rotation.from_matrix(axes).as_quat()

@@ -1,9 +1,9 @@
 """
 One direction of the space link, event by event in simulation time.
 
-Plays a `LinkPlan`: each copy of a frame is lost, damaged or on its way for its own time, then
-enters the play-out buffer; each step at most one frame comes out. The channel reads the
-envelope of a frame only and damages the payload only. It owns no clock and draws nothing.
+Carries out a `LinkPlan`: each copy of a frame may be lost or damaged, takes its own transit time
+and enters the play-out buffer; at most one frame comes out per step. The channel reads only the
+envelope of a frame and damages only the payload. It owns no clock and draws no random numbers.
 
 Damage is a burst of at most 32 flipped bits or a truncation. CRC-32 detects every such burst
 when bits are numbered from the least significant one of each byte, as here.
@@ -14,6 +14,7 @@ from collections import deque
 from dataclasses import dataclass, fields, replace
 from heapq import heappop, heappush
 
+from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.link.plan import LinkPlan
 from rvd_dynamics.link.play_out import Frame, Outcome, PlayOut
 from rvd_dynamics.diagram.params import require
@@ -23,7 +24,11 @@ NAN = float('nan')
 
 @dataclass
 class LinkCounts:
-    """What became of the copies so far; the names are those of LinkStatus.msg."""
+    """
+    What became of the copies so far; the names are those of LinkStatus.msg.
+
+    Every copy is somewhere: `sent + duplicated` is the sum of the seven counts that follow.
+    """
 
     sent: int = 0
     duplicated: int = 0
@@ -37,20 +42,13 @@ class LinkCounts:
     corrupted: int = 0              # attribute of copies that arrived
     reordered: int = 0              # attribute of copies that arrived
 
-    @property
-    def balanced(self) -> bool:
-        """Every copy is somewhere."""
-        return self.sent + self.duplicated == (
-            self.delivered + self.late + self.lost + self.outage + self.duplicate_dropped
-            + self.in_flight + self.queued)
-
 
 LINK_COUNTS = tuple(f.name for f in fields(LinkCounts))
 
 
 class Channel:
     """
-    A link in one direction: `advance` once per step, steps rising by one.
+    One direction of the link: call `advance` once per step, with steps rising by one.
 
     Parameters
     ----------
@@ -66,7 +64,7 @@ class Channel:
         self.counts = LinkCounts()
         self._step_ns = step_ns
         self._steps = len(plan.duplicated)
-        self._transit_ns = plan.transit_ns.tolist()     # lists: one item costs a tenth
+        self._transit_ns = plan.transit_ns.tolist()     # lists: reading an item costs a tenth
         self._lost = plan.lost.tolist()
         self._damaged = plan.damaged.tolist()
         self._damage = plan.damage.tolist()
@@ -109,7 +107,7 @@ class Channel:
         if not self._transits:
             return NAN
         rank = -(-percent * len(self._transits) // 100)
-        return self._transits[max(rank, 1) - 1] / 1e9
+        return self._transits[max(rank, 1) - 1] / NS_PER_S
 
     def _send(self, step: int, frame: Frame) -> None:
         copies = 1 + self._duplicated[step]
@@ -142,7 +140,7 @@ class Channel:
         self.counts.duplicate_dropped += outcome is Outcome.DUPLICATE
 
     def _release(self, step: int, now_ns: int) -> Frame | None:
-        """Hand on one frame: an expedited one first, and then the frame due now is too late."""
+        """Release one frame; an expedited one goes first and makes the frame due now late."""
         frame = self._buffer.pop(step)
         if self._expedited:
             self.counts.late += frame is not None
@@ -155,14 +153,14 @@ class Channel:
 
 def damaged(payload: bytes, which: float) -> bytes:
     """
-    Return `payload` with one damage: a burst of at most 32 flipped bits, or cut short.
+    Return a damaged `payload`: with a burst of at most 32 flipped bits, or cut short.
 
     Parameters
     ----------
     payload : bytes
-        Not changed if it has no bytes.
+        An empty one is returned as it is.
     which : float
-        In [0, 1); its 53 bits say which damage: 1 bit the kind, 20 the place, 32 the burst.
+        In [0, 1); its 53 bits choose the damage: 1 bit the kind, 20 the place, 32 the burst.
     """
     if not payload:
         return payload

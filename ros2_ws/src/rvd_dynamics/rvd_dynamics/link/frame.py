@@ -2,40 +2,40 @@
 Payloads of the space link: fixed little-endian structures that end in a CRC-32.
 
     command    version u8, key u16, session u64, sequence u64, generated i64 ns, kind u8,
-               levels 3 x i8, CRC u32: 35 bytes
+               command as its form lays it out, CRC u32; 35 bytes for three levels i8
     downlink   version u8, key u16, session u64, sequence u64, generated i64 ns, kind u8,
-               state 6 x f64 [m, m/s], accepted sequence u64, refusal u8, CRC u32: 89 bytes
+               state n x f64, accepted sequence u64, refusal u8, CRC u32; 89 bytes for n = 6
 
-`unpack_*` checks the length, then the checksum, and only then parses; no bytes whatever make
-it raise. CRC-32 finds every burst of up to 32 flipped bits (bits numbered from the least
-significant of each byte). It does not keep out a stranger: that takes keys, and key 0 says
+`unpack_*` checks the length, then the checksum, and only then parses; it does not raise for any
+bytes. CRC-32 detects every burst of up to 32 flipped bits (bits numbered from the least
+significant of each byte). It does not keep a stranger out: that takes keys, and key 0 says
 that there are none.
 """
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import IntEnum
+from functools import lru_cache
 from struct import Struct
 from zlib import crc32
 
 from rvd_dynamics.commands import codes
+from rvd_dynamics.commands.form import CommandForm
+from rvd_dynamics.commands.levels import LevelForm
 from rvd_dynamics.diagram.params import require
 
 VERSION = 1
-KEY = 0                         # no key yet: a CRC stands where a signature will
+KEY = 0                         # no key yet: a CRC takes the place of a signature
 SESSION = 0                     # no sessions yet
 STATE = 0                       # kind of a downlink: a measured relative state
-LEVELS = range(-3, 4)           # what the thrusters know
 
-_COMMAND = Struct('<BHQQqB3b')
-_DOWNLINK = Struct('<BHQQqB6dQB')
+_HEAD = Struct('<BHQQqB')
 _CRC = Struct('<I')
-COMMAND_BYTES = _COMMAND.size + _CRC.size
-DOWNLINK_BYTES = _DOWNLINK.size + _CRC.size
+THREE_LEVELS = LevelForm()
 
 
 class Refusal(IntEnum):
-    """Why a frame was refused; a few of the REASON codes."""
+    """Why a frame was refused; a subset of the REASON codes."""
 
     LENGTH = codes.REASON_LENGTH
     CHECKSUM = codes.REASON_CHECKSUM
@@ -46,12 +46,12 @@ class Refusal(IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class Command:
-    """A command as sent; `kind` and `levels` are not yet checked."""
+    """A command as sent; `kind` and `command` are not yet checked."""
 
     sequence: int               # rising by one per frame, the first is 1
     generated_ns: int           # [ns] instant of the step it was made in
     kind: int                   # one of codes.KIND_*, or unknown
-    levels: tuple               # along x, y, z, wanted in [-3..3]
+    command: tuple              # numbers of the command form
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,46 +60,52 @@ class Downlink:
 
     sequence: int               # rising by one per frame, the first is 1
     generated_ns: int           # [ns] instant the state was measured
-    state: tuple                # x, y, z, vx, vy, vz [m, m/s], NaN when unknown
+    state: tuple                # what was measured, NaN when unknown
     accepted_sequence: int      # last command that the guard accepted, 0 when none
     refusal: int                # last refusal code of the guard, 0 when none
 
 
-def pack_command(sequence: int, generated_ns: int, levels: Sequence[int],
-                 kind: int = codes.KIND_THRUST) -> bytes:
+def pack_command(sequence: int, generated_ns: int, command: Sequence,
+                 kind: int = codes.KIND_THRUST, form: CommandForm = THREE_LEVELS) -> bytes:
     """
-    Return the 35 bytes of a command.
+    Return the bytes of a command.
 
     Raises
     ------
     ValueError
-        If a field does not fit, `kind` is unknown or a level is not -3..3.
+        If a field does not fit, `kind` is unknown or the command is none of the form.
     """
     _require_head(sequence, generated_ns)
     require(codes.KIND_THRUST <= kind <= codes.KIND_RESUME, 'kind', 'be 0 to 4', kind)
-    levels = tuple(levels)
-    require(len(levels) == 3 and levels_in_range(levels), 'levels',
-            'be three whole numbers from -3 to 3', levels)      # before int(): NaN has no int
-    return _sealed(_COMMAND.pack(VERSION, KEY, SESSION, sequence, generated_ns, kind,
-                                 *(int(level) for level in levels)))
+    command = tuple(command)
+    require(len(command) == len(form.neutral) and form.legal(command), 'command',
+            f'be a command of {type(form).__name__}', command)  # before packing: NaN has no int
+    return _sealed(_HEAD.pack(VERSION, KEY, SESSION, sequence, generated_ns, kind)
+                   + form.wire.pack(*command))
 
 
-def unpack_command(payload: bytes) -> Command | Refusal:
+def unpack_command(payload: bytes, form: CommandForm = THREE_LEVELS) -> Command | Refusal:
     """Return the command in `payload`, or LENGTH, CHECKSUM, or RANGE for an unknown version."""
-    broken = _broken(payload, COMMAND_BYTES)
+    broken = _broken(payload, _HEAD.size + form.wire.size + _CRC.size)
     if broken is not None:
         return broken
-    version, key, session, sequence, generated_ns, kind, *levels = _COMMAND.unpack(
-        payload[:_COMMAND.size])
+    version, key, session, sequence, generated_ns, kind = _HEAD.unpack(payload[:_HEAD.size])
     if (version, key, session) != (VERSION, KEY, SESSION):
         return Refusal.RANGE
-    return Command(sequence, generated_ns, kind, tuple(levels))
+    return Command(sequence, generated_ns, kind,
+                   form.wire.unpack(payload[_HEAD.size:-_CRC.size]))
+
+
+@lru_cache(maxsize=None)
+def _measured(width: int) -> Struct:
+    """Return the layout behind the head of a downlink of `width` numbers."""
+    return Struct(f'<{width}dQB')
 
 
 def pack_downlink(sequence: int, generated_ns: int, state: Sequence[float],
                   accepted_sequence: int = 0, refusal: int = 0) -> bytes:
     """
-    Return the 89 bytes of a downlink; `state` (6,) may hold NaN.
+    Return the bytes of a downlink; `state` (n,) may hold NaN.
 
     Raises
     ------
@@ -107,29 +113,25 @@ def pack_downlink(sequence: int, generated_ns: int, state: Sequence[float],
         If a field does not fit.
     """
     _require_head(sequence, generated_ns)
-    require(len(state) == 6, 'state', 'have six components', len(state))
+    require(len(state) >= 1, 'state', 'have a component', len(state))
     require(0 <= accepted_sequence < 1 << 64, 'accepted_sequence', 'fit 64 bits',
             accepted_sequence)
     require(0 <= refusal < 1 << 8, 'refusal', 'fit 8 bits', refusal)
-    return _sealed(_DOWNLINK.pack(VERSION, KEY, SESSION, sequence, generated_ns, STATE, *state,
-                                  accepted_sequence, refusal))
+    return _sealed(_HEAD.pack(VERSION, KEY, SESSION, sequence, generated_ns, STATE)
+                   + _measured(len(state)).pack(*state, accepted_sequence, refusal))
 
 
-def unpack_downlink(payload: bytes) -> Downlink | Refusal:
-    """Return the downlink in `payload`, or LENGTH, CHECKSUM, or RANGE if of an unknown kind."""
-    broken = _broken(payload, DOWNLINK_BYTES)
+def unpack_downlink(payload: bytes, width: int = 6) -> Downlink | Refusal:
+    """Return the downlink of `width` numbers, or LENGTH, CHECKSUM, or RANGE of an unknown kind."""
+    layout = _measured(width)
+    broken = _broken(payload, _HEAD.size + layout.size + _CRC.size)
     if broken is not None:
         return broken
-    version, key, session, sequence, generated_ns, kind, *rest = _DOWNLINK.unpack(
-        payload[:_DOWNLINK.size])
+    version, key, session, sequence, generated_ns, kind = _HEAD.unpack(payload[:_HEAD.size])
     if (version, key, session, kind) != (VERSION, KEY, SESSION, STATE):
         return Refusal.RANGE
-    return Downlink(sequence, generated_ns, tuple(rest[:6]), *rest[6:])
-
-
-def levels_in_range(levels: tuple) -> bool:
-    """Say whether every level is one that the thrusters know (NaN and 1.5 are not)."""
-    return all(level in LEVELS for level in levels)
+    rest = layout.unpack(payload[_HEAD.size:-_CRC.size])
+    return Downlink(sequence, generated_ns, rest[:width], *rest[width:])
 
 
 def _sealed(body: bytes) -> bytes:

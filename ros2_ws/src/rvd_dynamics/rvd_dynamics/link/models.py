@@ -1,60 +1,60 @@
 """
-How long one frame is on its way: the transit models of a link, and the settings of a link.
+Transit models of the link (how long a frame is on its way), and the settings of a link.
 
 A model is a frozen dataclass with `delays(rng, size, hold_s) -> seconds`, NaN where the
 frame never arrives. Transits scale with the play-out delay `hold_s` = nT of the leg, so one
-setting serves every delay and a direct link (hold_s = 0) is direct; `empirical` alone
-speaks in seconds, because its file does.
+setting serves every delay, and a direct link (hold_s = 0) is direct; only `empirical` is in
+seconds, because its file is.
 
 Source  Zhang, Li, Tang, J. Astronautics 35(3), 2014, section 1.3 leaves the transit open;
         gamma is chosen so that P(transit > nT) = P(Gamma(8, 1) > 16) = 0.010.
 """
 
-from dataclasses import dataclass
 from functools import cached_property
-from math import isfinite
 from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rvd_dynamics.diagram.params import param, require
+from rvd_dynamics.constants import NS_PER_S
+from rvd_dynamics.diagram.params import param, require, settings
 
 LONGEST_S = 1e6                 # [s] 11 days; transits beyond are refused, ns stay exact in int64
+MOST_HOLDS = 100.0              # longest transit in play-out delays: beyond 1 a frame is late
 
 
 class DelayModel(Protocol):
-    """A transit law; settings are its fields."""
+    """A transit model; its fields are its settings."""
 
     def delays(self, rng: np.random.Generator, size: tuple, hold_s: float) -> NDArray[np.float64]:
         """Return transits of shape `size` [s], not negative, NaN where a frame is lost."""
 
 
-@dataclass(frozen=True)
+@settings
 class Constant:
     """Every frame takes the same time."""
 
-    transit_fraction: float = param(0.72, 'Transit, as a fraction of the play-out delay.')
-
-    def __post_init__(self) -> None:
-        _require_fraction('constant.transit_fraction', self.transit_fraction)
+    transit_fraction: float = param(
+        0.72, 'Transit time, as a fraction of the play-out delay.', low=0.0, high=MOST_HOLDS)
 
     def delays(self, rng: np.random.Generator, size: tuple, hold_s: float) -> NDArray[np.float64]:
         """Return transits [s] of shape `size`; draws nothing."""
         return np.full(size, self.transit_fraction * hold_s)
 
 
-@dataclass(frozen=True)
+@settings
 class Uniform:
-    """Transit evenly spread between two bounds."""
+    """Transit uniformly distributed between two bounds."""
 
-    low_fraction: float = param(0.72, 'Shortest transit, as a fraction of the play-out delay.')
-    high_fraction: float = param(1.0, 'Longest transit, as a fraction of the play-out delay.')
+    low_fraction: float = param(
+        0.72, 'Shortest transit time, as a fraction of the play-out delay.',
+        low=0.0, high=MOST_HOLDS)
+    high_fraction: float = param(
+        1.0, 'Longest transit time, as a fraction of the play-out delay.',
+        low=0.0, high=MOST_HOLDS)
 
     def __post_init__(self) -> None:
-        _require_fraction('uniform.low_fraction', self.low_fraction)
-        _require_fraction('uniform.high_fraction', self.high_fraction)
-        require(self.low_fraction <= self.high_fraction, 'uniform.high_fraction',
+        require(self.low_fraction <= self.high_fraction, 'high_fraction',
                 f'not be below low_fraction {self.low_fraction:g}', self.high_fraction)
 
     def delays(self, rng: np.random.Generator, size: tuple, hold_s: float) -> NDArray[np.float64]:
@@ -63,18 +63,18 @@ class Uniform:
         return self.low_fraction * hold_s + spread * rng.random(size)
 
 
-@dataclass(frozen=True)
+@settings
 class Gamma:
     """A shortest transit plus a gamma-distributed queueing time."""
 
-    offset_fraction: float = param(0.72, 'Shortest transit, as a fraction of the play-out delay.')
-    shape: float = param(8.0, 'Shape of the gamma distribution.')
-    scale_fraction: float = param(0.0175, 'Its scale, as a fraction of the play-out delay.')
-
-    def __post_init__(self) -> None:
-        _require_fraction('gamma.offset_fraction', self.offset_fraction)
-        require(0.0 < self.shape <= 1000.0, 'gamma.shape', 'be between 0 and 1000', self.shape)
-        _require_fraction('gamma.scale_fraction', self.scale_fraction)
+    offset_fraction: float = param(
+        0.72, 'Shortest transit time, as a fraction of the play-out delay.',
+        low=0.0, high=MOST_HOLDS)
+    shape: float = param(
+        8.0, 'Shape of the gamma distribution of the queueing time.', above=0.0, high=1000.0)
+    scale_fraction: float = param(
+        0.0175, 'Scale of the gamma distribution of the queueing time, as a fraction of the '
+        'play-out delay.', low=0.0, high=MOST_HOLDS)
 
     def delays(self, rng: np.random.Generator, size: tuple, hold_s: float) -> NDArray[np.float64]:
         """Return transits [s] of shape `size`."""
@@ -82,11 +82,12 @@ class Gamma:
         return self.offset_fraction * hold_s + queueing
 
 
-@dataclass(frozen=True)
+@settings
 class Empirical:
     """Transits drawn with replacement from a file of measured ones."""
 
-    file: str = param('', 'Text file of transits [s], one a line, header line optional.')
+    file: str = param('', 'Text file of measured transit times in seconds, one per line after an '
+                      'optional header line.')
 
     @cached_property
     def transits_s(self) -> NDArray[np.float64]:
@@ -101,37 +102,37 @@ class Empirical:
 MODELS = {'constant': Constant, 'uniform': Uniform, 'gamma': Gamma, 'empirical': Empirical}
 
 
-@dataclass(frozen=True)
+@settings
 class LinkParams:
     """Settings of one direction of the link; each fault is off by default."""
 
-    model: str = param('gamma', f'Transit model: {", ".join(MODELS)}.')
+    model: str = param('gamma', 'Model of the transit times.', choices=MODELS)
     constant: Constant = param(Constant, 'Settings of the constant model.')
     uniform: Uniform = param(Uniform, 'Settings of the uniform model.')
     gamma: Gamma = param(Gamma, 'Settings of the gamma model.')
     empirical: Empirical = param(Empirical, 'Settings of the empirical model.')
-    loss_fraction: float = param(0.0, 'Probability that a copy vanishes.')
-    duplicate_fraction: float = param(0.0, 'Probability that the link makes a second copy.')
-    corrupt_fraction: float = param(0.0, 'Probability that the payload of a copy is damaged.')
-    reorder_fraction: float = param(0.0, 'Probability that a copy is held up on its way.')
-    reorder_delay_s: float = param(1.0, 'How long a copy that is held up waits [s].')
+    loss_fraction: float = param(
+        0.0, 'Probability that a copy of a frame is lost.', low=0.0, high=1.0)
+    duplicate_fraction: float = param(
+        0.0, 'Probability that the link makes a second copy of a frame.', low=0.0, high=1.0)
+    corrupt_fraction: float = param(
+        0.0, 'Probability that the payload of a copy is damaged.', low=0.0, high=1.0)
+    reorder_fraction: float = param(
+        0.0, 'Probability that a copy is held up on its way.', low=0.0, high=1.0)
+    reorder_delay_s: float = param(
+        1.0, 'Additional delay of a copy that is held up on its way [s].',
+        low=0.0, high=LONGEST_S)
     outage_windows_s: tuple = param(        # not (): ROS cannot tell the type of an empty list
-        (0.0, 0.0), 'Start, end, start, end ... of outages [s]; start = end: none.')
+        (0.0, 0.0), 'Start and end of each outage in turn, where equal values mean no outage '
+        '[s].', low=0.0, high=LONGEST_S)
 
     def __post_init__(self) -> None:
-        require(self.model in MODELS, 'model', f'be one of {", ".join(MODELS)}', self.model)
-        for name in ('loss_fraction', 'duplicate_fraction', 'corrupt_fraction',
-                     'reorder_fraction'):
-            require(0.0 <= getattr(self, name) <= 1.0, name, 'be between 0 and 1',
-                    getattr(self, name))
-        require(0.0 <= self.reorder_delay_s <= LONGEST_S, 'reorder_delay_s',
-                f'be between 0 and {LONGEST_S:g}', self.reorder_delay_s)
         windows = self.outage_windows_s
         require(len(windows) % 2 == 0, 'outage_windows_s', 'be pairs of start and end',
                 list(windows))
         for start, end in zip(windows[::2], windows[1::2]):
-            require(0.0 <= start <= end <= LONGEST_S, 'outage_windows_s',
-                    f'have 0 <= start <= end <= {LONGEST_S:g} in each pair', [start, end])
+            require(start <= end, 'outage_windows_s', 'have start <= end in each pair',
+                    [start, end])
         if self.model == 'empirical':
             self.empirical.transits_s       # a bad file is refused at the start, not in flight
 
@@ -149,13 +150,13 @@ class LinkParams:
     @cached_property
     def outages_ns(self) -> tuple:
         """Pairs (start, end) of the outages that last [ns]; the end is not part of one."""
-        ns = [round(t * 1e9) for t in self.outage_windows_s]
+        ns = [round(t * NS_PER_S) for t in self.outage_windows_s]
         return tuple((a, b) for a, b in zip(ns[::2], ns[1::2]) if a < b)
 
 
 def read_transits(path: str) -> NDArray[np.float64]:
     """
-    Read transits [s], one a line; the first line may be a header, `#` begins a comment.
+    Read transits [s], one per line; the first line may be a header, `#` begins a comment.
 
     Parameters
     ----------
@@ -169,8 +170,8 @@ def read_transits(path: str) -> NDArray[np.float64]:
     Raises
     ------
     ValueError
-        If the file cannot be read, has no transit, or has one that is no number, negative,
-        NaN or longer than 1e6 s; the text names file and line.
+        If the file cannot be read, has no transit, or has one that is not a number, negative,
+        NaN or longer than 1e6 s; the text names the file and the line.
     """
     if not path:
         raise ValueError('empirical.file must name a file of transits, got nothing')
@@ -204,8 +205,3 @@ def _number(text: str) -> float | None:
         return float(text)
     except ValueError:
         return None
-
-
-def _require_fraction(name: str, value: float) -> None:
-    """Fractions of the play-out delay may exceed 1 (such frames are late), but not all bounds."""
-    require(isfinite(value) and 0.0 <= value <= 100.0, name, 'be between 0 and 100', value)

@@ -1,11 +1,11 @@
 """
 What the link will do to each frame of a run, drawn before the run.
 
-The plan is the one source of chance of a link. The node plays it frame by frame
-(`link.channel`); a campaign only asks `LinkPlan.intact_in_time`, because the play-out buffer
-turns random transits into a constant delay plus erasures. Both get the same answer.
+The plan holds everything random about a link. The node carries it out frame by frame
+(`link.channel`); a campaign only uses `LinkPlan.intact_in_time`, because the play-out buffer
+turns random transits into a constant delay plus erasures. Both get the same result.
 
-Row k is about the frame sent in step k. Column 0 is the frame itself, column 1 the copy that
+Row k is for the frame sent in step k. Column 0 is the frame itself, column 1 the copy that
 the link may make of it. Transits are integer ns, so that "transit = nT is in time" is exact.
 
 Source  Zhang, Li, Tang, J. Astronautics 35(3), 2014, section 1.3, rules (1)-(4).
@@ -19,12 +19,13 @@ from itertools import islice
 import numpy as np
 from numpy.typing import NDArray
 
+from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.link.models import LinkParams
 from rvd_dynamics.diagram.params import require
 
 UNIFORMS_PER_STEP = 9           # loss 2, held up 2, damage 2, duplicate 1, which damage 2
-HANDFUL = 32                    # runs that are planned at a time
-FAR_AHEAD = 1 << 64             # draw of the stream with which the transits begin
+HANDFUL = 32                    # runs planned at a time
+FAR_AHEAD = 1 << 64             # position in the stream at which the transits begin
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,15 +33,15 @@ class LinkPlan:
     """
     The fate of every frame of a run; arrays of shape (steps,) or (steps, 2).
 
-    Of many runs at once with a leading axis; `outage` is the same in all of them.
+    Plans of many runs have a leading axis; `outage` is the same in all of them.
     """
 
     hold_ns: int                        # [ns] play-out delay nT
-    transit_ns: NDArray[np.int64]       # (steps, 2) [ns]; of no meaning where lost
+    transit_ns: NDArray[np.int64]       # (steps, 2) [ns]; meaningless where lost
     lost: NDArray[np.bool_]             # (steps, 2) the copy vanishes
     damaged: NDArray[np.bool_]          # (steps, 2) the payload of the copy is damaged
-    damage: NDArray[np.float64]         # (steps, 2) which damage, see channel.damaged; of no
-                                        # meaning where the copy is not damaged
+    damage: NDArray[np.float64]         # (steps, 2) which damage, see channel.damaged;
+                                        # meaningless where the copy is not damaged
     duplicated: NDArray[np.bool_]       # (steps,) a second copy is made
     outage: NDArray[np.bool_]           # (steps,) sent during an outage: no copy gets through
 
@@ -55,9 +56,9 @@ class LinkPlan:
     @cached_property
     def intact_in_time(self) -> NDArray[np.bool_]:
         """
-        Say of each step k whether the frame sent then is released intact at k + n.
+        Say for each step k whether the frame sent then is released intact at k + n.
 
-        The buffer keeps the copy that comes first (the original, if both come at one
+        The buffer keeps the copy that arrives first (the original, if both arrive at the same
         instant) and cannot know that it is damaged: an intact second copy does not help.
 
         Returns
@@ -77,14 +78,14 @@ def draw_plan(params: LinkParams, rng: np.random.Generator, mission_steps: int, 
     Draw the fate of every frame that may be sent in a run.
 
     Each fault has its own variates in every step, used or not, and the transits come from a
-    part of the stream far from them. So a fault that is switched on moves nothing else, and
-    a longer time limit does not change the steps before it.
+    distant part of the stream. So switching a fault on moves no other draw, and a longer time
+    limit does not change the steps before it.
 
     Parameters
     ----------
     params : LinkParams
     rng : numpy.random.Generator
-        On PCG64, as `streams.generator` and `numpy.random.default_rng` make it.
+        Based on PCG64, as `streams.generator` and `numpy.random.default_rng` make it.
     mission_steps : int
         Steps of the run, `mission.last_step + 1`.
     step_ns, hold_steps : int
@@ -105,7 +106,7 @@ def draw_plan(params: LinkParams, rng: np.random.Generator, mission_steps: int, 
     uniforms = _uniforms(params.has_faults, rng, mission_steps)
     if uniforms is None:
         uniforms = np.ones((mission_steps, UNIFORMS_PER_STEP))
-    transits = params.delay_model.delays(rng, (mission_steps, 2), hold_steps * step_ns / 1e9)
+    transits = params.delay_model.delays(rng, (mission_steps, 2), hold_steps * step_ns / NS_PER_S)
     return _plan(params, np.asfortranarray(uniforms), np.asfortranarray(transits),  # for speed
                  step_ns, hold_steps)
 
@@ -116,11 +117,11 @@ def intact_of_runs(params: LinkParams, rngs: Iterable[np.random.Generator], runs
     Return `draw_plan(...).intact_in_time` of many runs, shape (runs, steps).
 
     `rngs` yields their generators one after the other, as `streams.generators` does. In memory
-    the runs of one step lie together, as a loop over steps reads them.
+    the runs of one step lie together, which suits a loop over steps.
     """
     intact = np.empty((mission_steps, runs), dtype=bool)
-    rngs, faults, hold_s = iter(rngs), params.has_faults, hold_steps * step_ns / 1e9
-    for first in range(0, runs, HANDFUL):       # so many that their plans stay near the processor
+    rngs, faults, hold_s = iter(rngs), params.has_faults, hold_steps * step_ns / NS_PER_S
+    for first in range(0, runs, HANDFUL):       # few enough for their plans to stay in the cache
         count = min(HANDFUL, runs - first)
         uniforms = np.ones((UNIFORMS_PER_STEP, count if faults else 1, mission_steps))
         transits = np.empty((2, count, mission_steps))
@@ -137,15 +138,15 @@ def intact_of_runs(params: LinkParams, rngs: Iterable[np.random.Generator], runs
 
 def _uniforms(faults: bool, rng: np.random.Generator, steps: int) -> NDArray[np.float64] | None:
     """
-    Draw the uniforms (steps, 9) of one run and go on to where the transits begin.
+    Draw the uniforms (steps, 9) of one run and move on to where the transits begin.
 
-    None without faults: they are as good as 1, which draws never reach, so that none strikes.
+    Return None if there are no faults: 1, which draws never reach, then stands for all of them.
     """
     if not faults:
         rng.bit_generator.advance(FAR_AHEAD)
         return None
     uniforms = rng.random((steps, UNIFORMS_PER_STEP))
-    rng.bit_generator.advance(FAR_AHEAD - uniforms.size)        # to one place, whatever the length
+    rng.bit_generator.advance(FAR_AHEAD - uniforms.size)        # to the same place for any length
     return uniforms
 
 
@@ -157,8 +158,8 @@ def _plan(params: LinkParams, uniforms: NDArray, transits: NDArray, step_ns: int
         params.reorder_fraction, params.corrupt_fraction, params.corrupt_fraction,
         params.duplicate_fraction)
     missing = np.isnan(transits)
-    transit_ns = np.rint(np.where(missing, 0.0, transits) * 1e9).astype(np.int64)
-    transit_ns += struck[..., 2:4] * round(params.reorder_delay_s * 1e9)
+    transit_ns = np.rint(np.where(missing, 0.0, transits) * NS_PER_S).astype(np.int64)
+    transit_ns += struck[..., 2:4] * round(params.reorder_delay_s * NS_PER_S)
     return LinkPlan(
         hold_ns=hold_steps * step_ns,
         transit_ns=transit_ns,
@@ -171,7 +172,7 @@ def _plan(params: LinkParams, uniforms: NDArray, transits: NDArray, step_ns: int
 
 
 def _outage(windows_ns: tuple, steps: int, step_ns: int) -> NDArray[np.bool_]:
-    """Mark the steps whose instant lies in a window; its start does, its end does not."""
+    """Mark the steps whose instant lies in a window, its start included, its end excluded."""
     marked = np.zeros(steps, dtype=bool)
     for start, end in windows_ns:
         marked[-(-start // step_ns):-(-end // step_ns)] = True

@@ -2,9 +2,9 @@
 The play-out buffer: turns a random transit into a constant delay of n steps plus erasures.
 
 A frame sent at kT leaves at (k + n)T, never sooner; one that arrives after that instant is
-refused, because a stale thrust command is worse than none. There is one slot for each
-instant of release that can lie ahead, n + 1 in all, so nothing can grow. The buffer owns no
-clock: instants are integer ns of simulation time.
+refused, because a stale thrust command is worse than none. There is one slot for each future
+instant of release, n + 1 in all, so the buffer cannot grow. It owns no clock: instants are
+integer ns of simulation time.
 
 Source  Zhang, Li, Tang, J. Astronautics 35(3), 2014, section 1.3: a frame with transit
         lT < delta <= (l + 1)T enters position l + 1 of n and moves one position per T.
@@ -19,7 +19,7 @@ from rvd_dynamics.diagram.params import require
 
 @dataclass(frozen=True, slots=True)
 class Frame:
-    """What a link may know of a frame; instants are -1 until they have happened."""
+    """What a link may know about a frame; instants are -1 until they have happened."""
 
     sequence: int                   # given by the sender, rising by one per frame
     sent_ns: int                    # [ns] handed to the link
@@ -41,8 +41,8 @@ class PlayOut:
     """
     Slots for frames that wait for their instant of release.
 
-    Call `insert` for each arrival of the time since the last step, in order of arrival, then
-    `pop` once per step; steps rise by one.
+    Call `insert` for each arrival since the last step, in order of arrival, then `pop` once per
+    step; steps rise by one.
     """
 
     def __init__(self, hold_steps: int, step_ns: int) -> None:
@@ -56,7 +56,7 @@ class PlayOut:
         return sum(slot is not None for slot in self._slots)
 
     def insert(self, frame: Frame) -> Outcome:
-        """Take `frame` in unless its instant has passed or a copy of it is here already."""
+        """Store `frame` unless its release instant has passed or a copy of it is already here."""
         due_step = frame.sent_ns // self._step_ns + self._hold_steps
         if frame.arrived_ns > due_step * self._step_ns:
             return Outcome.LATE

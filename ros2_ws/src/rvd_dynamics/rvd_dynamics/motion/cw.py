@@ -35,7 +35,7 @@ def transition(n: float, dt: ArrayLike) -> Matrix:
     n : float
         Mean motion of the target [rad/s], positive.
     dt : array_like, shape (...)
-        Elapsed time [s]; negative goes back.
+        Elapsed time [s]; a negative one goes back in time.
 
     Returns
     -------
@@ -98,12 +98,12 @@ def product(matrix: Matrix, vectors: ArrayLike) -> NDArray[np.float64]:
     """
     Return `matrix` (i, j) times `vectors` (..., j), shape (..., i).
 
-    Term by term in the order of j, without the zeros of the matrix, which are two in three
-    here: the same bits alone and in any batch or memory layout, which neither BLAS nor einsum
-    promises. In memory the components of the result come first, as fits what follows.
+    Terms are added in the order of j, skipping the zeros of the matrix, which are two in three
+    here. So a row has the same bits alone and in any batch or memory layout, which neither BLAS
+    nor einsum promises. In memory the components of the result come first, as its users read it.
     """
     vectors = np.asarray(vectors, dtype=float)
-    alone = vectors.size == vectors.shape[-1]           # ten times faster in Python's numbers
+    alone = vectors.size == vectors.shape[-1]           # ten times faster with Python floats
     components = (vectors.ravel().tolist() if alone
                   else [vectors[..., j] for j in range(vectors.shape[-1])])
     result = np.empty((len(matrix), *vectors.shape[:-1]))

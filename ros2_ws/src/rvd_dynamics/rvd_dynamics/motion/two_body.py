@@ -14,7 +14,7 @@ Source  Newton's law in the rotating frame, r^2 = x^2 + (a + y)^2 + z^2, n^2 = m
         (R. H. Battin, Astronautical Guidance, 1964).
 
 One classical Runge-Kutta step per mission step. The motion has no time scale shorter than
-1/n = 1200 s, so a step of 1 s is far inside its reach; the error is rounding.
+1/n = 1200 s, so for steps of up to 1 s the truncation error is below rounding.
 """
 
 import numpy as np
@@ -51,7 +51,7 @@ def _rate(s: Components, u: tuple, n: float, radius: float) -> Components:
     ux, uy, uz = u
     q = (2.0*radius*y + x*x + y*y + z*z) / (radius*radius)
     cube = (1.0 + q)*np.sqrt(1.0 + q)                           # (r / a)^3
-    # n^2 (1 - (a / r)^3); times 1 it is what attraction lacks of the centrifugal term
+    # n^2 (1 - (a / r)^3): centrifugal minus gravitational acceleration, per metre
     f = n*n*(q*(3.0 + q*(3.0 + q)) / (1.0 + cube) / cube)
     return (vx, vy, vz,
             f*x - 2.0*n*vy + ux,

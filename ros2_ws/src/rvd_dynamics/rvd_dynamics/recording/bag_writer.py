@@ -1,12 +1,12 @@
 """
-A rosbag2 bag (MCAP) that keeps what it was given, whatever happens to its process or its disk.
+A rosbag2 bag (MCAP) that keeps what it was given, whatever happens to its process or disk.
 
 Layout      DIRECTORY/metadata.yaml, written when the bag is opened and again when it is closed
             DIRECTORY/NAME_0.mcap, NAME being the directory's name as rosbag2 has it
-Kill -9     every message that `write` took is in the file, which then lacks its end and its
-            index; `repair` adds both
+Kill -9     every message that `write` accepted is in the file, which then lacks its end and
+            its index; `repair` adds both
 Full disk   messages of topics that are worth less are given up first, while there is still
-            room for the others; each one that is not stored is counted
+            room for the others; each message that is not stored is counted
 Times       `log_ns` is what readers sort by and what playback follows; the recorder puts
             simulation time there and wall time into `publish_ns`
 """
@@ -23,28 +23,28 @@ from rvd_dynamics.recording import mcap_file
 from rvd_dynamics.recording.definitions import schema_text, type_hash
 from rvd_dynamics.recording.rosbag2 import Contents, Topic, dump, write_metadata
 
-RESERVE_BYTES = 64 * 1024 * 1024                # [B] kept free for what is worth 1, and the last
-                                                # quarter of it for what is worth 2
-LOOK_EVERY_BYTES = 64 * 1024                    # [B] written between two looks at the disk
+RESERVE_BYTES = 64 * 1024 * 1024                # [B] kept free for topics worth 1, and the last
+                                                # quarter of it for topics worth 2
+LOOK_EVERY_BYTES = 64 * 1024                    # [B] written between two checks of the disk
 NOTE_RECORDING = 'rvd_recording'                # metadata record: closed, trouble
 NOTE_LOST = 'rvd_lost'                          # metadata record: topic -> messages not stored
 
 
 class BagWriter:
     """
-    Writes one bag; at most one writer has a bag, and only while it has it is it growing.
+    Writes one bag. A bag has at most one writer, and grows only while it has one.
 
     Parameters
     ----------
     directory : Path
-        The bag; must not exist or be empty.
+        Directory of the bag; must be empty if it exists.
     worth : callable
-        Says of a topic what it is worth when the disk is nearly full: 0, 1 or 2.
+        Returns what a topic is worth when the disk is nearly full: 0, 1 or 2.
 
     Raises
     ------
     ValueError
-        If the directory holds something already.
+        If the directory is not empty.
     OSError
         If it cannot be written.
     """
@@ -62,7 +62,7 @@ class BagWriter:
         self._file = mcap_file.GrowingFile(self.path)
         self._schemas: dict[str, int] = {}
         self._channels: dict[str, tuple[int, Topic, int]] = {}
-        self._least = 0                         # worth that is still stored
+        self._least = 0                         # least worth that is still stored
         self._reserve = min(RESERVE_BYTES, _free(directory) // 4)
         self._look_every = min(LOOK_EVERY_BYTES, self._reserve // 16)
         self._look_at = 0
@@ -99,7 +99,7 @@ class BagWriter:
 
     def write(self, topic: str, data: bytes, log_ns: int, publish_ns: int, sequence: int = 0
               ) -> bool:
-        """Store one serialised message; False if it had to be given up (and was counted)."""
+        """Store one serialised message; False if it had to be given up, which is counted."""
         channel, entry, worth = self._channels.get(topic, (0, None, -1))
         if worth < self._least:
             self.lost[topic] += 1
@@ -116,7 +116,7 @@ class BagWriter:
         return True
 
     def _look(self) -> None:
-        """Leave what is left of the disk to the topics that are worth it."""
+        """On a nearly full disk, leave the rest of it to the topics that are worth most."""
         self._look_at = self._file.size + self._look_every
         free = _free(self.directory)
         if free < self._reserve:
@@ -140,9 +140,9 @@ class BagWriter:
 
     def close(self, notes: dict[str, dict[str, str]] | None = None) -> None:
         """
-        Finish the bag: `notes` and the losses go in as metadata records, then the index.
+        Finish the bag: write `notes` and the losses as metadata records, then the index.
 
-        What the disk does not take is left out; what was stored stays readable.
+        What no longer fits on the disk is left out; what was stored stays readable.
         """
         notes = {**(notes or {}), NOTE_LOST: {t: str(n) for t, n in self.lost.items()},
                  NOTE_RECORDING: {'closed': 'true', 'trouble': self.trouble}}
@@ -164,15 +164,15 @@ def _free(directory: Path) -> int:
 
 def repair(directory: Path) -> bool:
     """
-    Give a bag that was cut off its end, its index and its `metadata.yaml`; True if it did.
+    Complete a bag that was cut off: its end, index and `metadata.yaml`; True if that was needed.
 
-    A bag that is complete, or that a recorder is still writing, is left alone. The bag goes on
-    saying that it was not closed (metadata record `rvd_recording`).
+    A bag that is complete, or that a recorder is still writing, is left alone. A repaired bag
+    still says that it was not closed (metadata record `rvd_recording`).
 
     Raises
     ------
     OSError
-        If the disk does not take it; the bag is as it was.
+        If it cannot be written; the bag is then unchanged.
     """
     repaired = False
     for path in sorted(directory.glob('*.mcap')):

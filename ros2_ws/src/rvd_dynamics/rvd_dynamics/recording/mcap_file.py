@@ -2,8 +2,8 @@
 An MCAP file while it grows, and its reordering into an indexed one when it is complete.
 
 While it grows each record is one `write` to the operating system and nothing waits in a buffer
-of ours, so that whatever ends the process, the file is a run of whole records. Such a file has
-no index. `rewrite` makes one that has: readers seek in it by time and topic.
+of ours, so that whatever ends the process, the file is a sequence of whole records. Such a file
+has no index; `rewrite` makes one with an index, in which readers can seek by time and topic.
 
 Source  MCAP specification, version 0.
 """
@@ -15,13 +15,14 @@ from pathlib import Path
 from typing import Any, Iterator
 
 from mcap.data_stream import RecordBuilder
-from mcap.exceptions import McapError
+from mcap.exceptions import EndOfFile
 from mcap.records import (
     Channel, DataEnd, Footer, Header, McapRecord, Message, Metadata, Schema)
 from mcap.stream_reader import StreamReader
 from mcap.writer import MCAP0_MAGIC, CompressionType, Writer
 import yaml
 
+from rvd_dynamics.recording import whole
 from rvd_dynamics.recording.rosbag2 import Contents, Topic, dump
 
 PROFILE = 'ros2'
@@ -36,8 +37,8 @@ class GrowingFile:
     """
     An MCAP file to which whole records are appended.
 
-    A record that does not fit is taken back, so that the file stays a run of whole records; the
-    error is the caller's to deal with.
+    A record that does not fit is removed again, so that the file stays a sequence of whole
+    records; the error is passed on to the caller.
     """
 
     def __init__(self, path: Path) -> None:
@@ -63,18 +64,18 @@ class GrowingFile:
 
     def append_message(self, channel: int, sequence: int, log_ns: int, publish_ns: int,
                        data: bytes) -> None:
-        """Append one message: the path that every message takes, so without the library."""
+        """Append one message without the library, for speed: every message comes this way."""
         self._append(_MESSAGE.pack(5, _MESSAGE_HEAD + len(data), channel, sequence & 0xffffffff,
                                    log_ns, publish_ns) + data)
 
     def finish(self) -> None:
-        """Append the end of a file without index."""
+        """Append the end of a file without an index."""
         end = _bytes_of(DataEnd(data_section_crc=0)) + _bytes_of(
             Footer(summary_start=0, summary_offset_start=0, summary_crc=0))
         self._append(end + MCAP0_MAGIC)
 
     def close(self) -> None:
-        """Give the file back."""
+        """Close the file and release it."""
         os.close(self._file)
 
 
@@ -85,7 +86,7 @@ def _bytes_of(record: McapRecord) -> bytes:
 
 
 def lock(path: Path) -> int | None:
-    """Return a handle that holds the file, to be closed; None if a `GrowingFile` has it."""
+    """Lock a file and return its handle, to be closed; None if a `GrowingFile` has it."""
     handle = os.open(path, os.O_RDWR)
     try:
         fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
@@ -95,17 +96,27 @@ def lock(path: Path) -> int | None:
     return handle
 
 
-def records(path: Path) -> Iterator[McapRecord]:
+def records(path: Path, refuse_damage: bool = False) -> Iterator[McapRecord]:
     """
     Yield the whole records of a file, the last one a `Footer` if the file is complete.
 
-    A file cut off at any byte, or damaged from some byte on, gives the records before that.
+    A file cut off at any byte, or damaged from some byte on, yields the records before it.
+
+    Raises
+    ------
+    ValueError
+        With `refuse_damage`, if the file is damaged rather than cut off; names it.
     """
     with path.open('rb') as stream:
         try:
             yield from StreamReader(stream).records
-        except (McapError, struct.error, ValueError, OverflowError, MemoryError):
+        except (EndOfFile, struct.error):
             return
+        except OSError:
+            raise
+        except Exception as error:              # each decompressor has errors of its own
+            if refuse_damage:
+                raise ValueError(f'{path}: not a readable MCAP file: {error}') from None
 
 
 def rewrite(path: Path, notes: dict[str, dict[str, str]]) -> Contents:
@@ -118,18 +129,10 @@ def rewrite(path: Path, notes: dict[str, dict[str, str]]) -> Contents:
     Raises
     ------
     OSError
-        If the disk does not take it; the old file is as it was.
+        If it cannot be written; the old file is then unchanged.
     """
-    part = path.with_name(path.name + '.part')
-    try:
-        with part.open('wb') as stream:
-            contents = _copy(path, stream, notes)
-            stream.flush()
-            os.fsync(stream.fileno())
-        part.replace(path)
-    finally:
-        part.unlink(missing_ok=True)
-    return contents
+    with whole.draft(path) as stream:
+        return _copy(path, stream, notes)
 
 
 def _copy(path: Path, stream: Any, notes: dict[str, dict[str, str]]) -> Contents:

@@ -15,6 +15,8 @@ from typing import Any
 
 import yaml
 
+from rvd_dynamics.recording import whole
+
 VERSION = 9
 INFINITE = {'sec': 9223372036, 'nsec': 854775807}   # RMW_DURATION_INFINITE
 
@@ -100,9 +102,5 @@ class _Plain(yaml.SafeDumper):
 
 def write_metadata(directory: Path, text: str) -> None:
     """Put `metadata.yaml` into the bag, whole or not at all; `text` is what `dump` returned."""
-    part = directory / 'metadata.yaml.part'
-    try:
-        part.write_text('rosbag2_bagfile_information:\n' + indent(text, '  '))
-        part.replace(directory / 'metadata.yaml')
-    finally:
-        part.unlink(missing_ok=True)
+    whole.write_text(directory / 'metadata.yaml',
+                     'rosbag2_bagfile_information:\n' + indent(text, '  '))

@@ -9,11 +9,13 @@ Source  CDR, little endian as ROS 2 writes it: 4 bytes of encapsulation, then th
 import struct
 from typing import Callable
 
+from rvd_dynamics.constants import NS_PER_S
+
 HEADER_THEN_STEP = frozenset(f'rvd_interfaces/msg/{name}' for name in (
-    'RelativeState', 'ThrustCommand', 'LinkStatus', 'PredictionScore', 'Verdict', 'RunEvent'))
+    'RelativeState', 'ThrustCommand', 'LinkStatus', 'PredictionScore', 'Verdict', 'RunEvent',
+    'Values'))
 STEP_FIRST = frozenset(('rvd_interfaces/msg/LinkFrame',))
 STAMP_FIRST = frozenset(('sensor_msgs/msg/Joy', 'rosgraph_msgs/msg/Clock'))
-NS_PER_S = 1_000_000_000
 _STEP = struct.Struct('<Q')
 _STAMP = struct.Struct('<iI')
 _LENGTH = struct.Struct('<I')
@@ -33,7 +35,7 @@ def step_reader(kind: str, step_ns: int) -> Callable[[bytes], int] | None:
     Return the function that reads the step of serialised messages of type `kind`.
 
     Joy and Clock carry no step: theirs is the stamp in steps of `step_ns`. None if messages of
-    this type belong to no step. The function raises `struct.error` for bytes that are too few.
+    this type belong to no step. The function raises `struct.error` if there are too few bytes.
     """
     if kind in HEADER_THEN_STEP:
         return _after_header
@@ -48,30 +50,30 @@ def step_reader(kind: str, step_ns: int) -> Callable[[bytes], int] | None:
 
 
 class StepLedger:
-    """Counts, for topics that get one message per step, the steps that never came."""
+    """Counts the steps that never came, for topics that get one message per step."""
 
     def __init__(self) -> None:
         self.last: dict[str, int] = {}
         self.missing: dict[str, int] = {}
 
     def expect(self, topic: str) -> None:
-        """Hold `topic` to one message per step from step 0 on."""
+        """Expect one message per step of `topic`, from step 0 on."""
         self.last[topic] = -1
         self.missing[topic] = 0
 
     def saw(self, topic: str, step: int) -> None:
-        """Note a message; one for a step that is past does not undo a gap."""
+        """Note a message; one that comes late does not close the gap it left."""
         last = self.last[topic]
         if step > last:
             self.missing[topic] += step - last - 1
             self.last[topic] = step
 
     def reached(self, step: int) -> bool:
-        """Say whether every topic has come to `step`."""
+        """Say whether every topic has reached `step`."""
         return all(last >= step for last in self.last.values())
 
     def end(self, step: int) -> None:
-        """Count as missing what did not come up to the last step of the run."""
+        """Count as missing what has not come by the last step of the run."""
         for topic, last in self.last.items():
             self.missing[topic] += max(step - last, 0)
             self.last[topic] = max(step, last)

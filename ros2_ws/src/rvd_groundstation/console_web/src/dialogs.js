@@ -130,14 +130,9 @@ export function runsShown() {
 
 export const sentence = (words) => words.charAt(0).toUpperCase() + words.slice(1);
 
-// Words for a judge's reason, as far as this page's mission knows them.
-export function reasonWords(reason, reasons) {
-  return sentence(reasons?.[reason] || (reason || '').replaceAll('_', ' '));
-}
-
-export function runList(rows, reasons, choose) {
+export function runList(rows, choose) {
   const lines = rows.map((row) => `<tr><td>${escape(row.name)}</td><td>${escape(row.mode || '')}</td>
-    <td class="${row.success ? 'ok' : ''}">${row.success ? '✓' : '✗'} ${escape(reasonWords(row.reason, reasons))}</td>
+    <td class="${row.success ? 'ok' : ''}">${row.success ? '✓' : '✗'} ${escape(sentence((row.reason || '').replaceAll('_', ' ')))}</td>
     <td><button data-run="${escape(row.name)}">${S.review_open}</button></td></tr>`);
   open(`<h3 id="runs">${S.review_title}</h3><p class="dim">${S.review_truth}</p>
     ${rows.length ? `<table>${lines.join('')}</table>` : `<p>${S.review_none}</p>`}

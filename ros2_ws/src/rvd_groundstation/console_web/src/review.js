@@ -21,7 +21,7 @@ export class Review {
   async list() {
     try {
       const rows = await this.link.get('api/runs');
-      dialogs.runList(rows, this.panels.display?.reasons, (name, error) => this.open(name, error));
+      dialogs.runList(rows, (name, error) => this.open(name, error));
     } catch (problem) {
       dialogs.message(S.review_title, problem.message);
     }

@@ -8,14 +8,18 @@ fields of the `.msg` files, and this is the one place where these are read for t
 from collections.abc import Callable
 from dataclasses import dataclass, field
 import math
+import re
 from typing import Any
 
+from rvd_dynamics.commands.codes import BY_AUTO, KIND_THRUST, REASON_NONE
+from rvd_dynamics.diagram.signal import VALUES
 from rvd_dynamics.link.frame import Downlink, unpack_downlink
 
 NS_PER_S = 1_000_000_000
 COUNTS = ('sent', 'delivered', 'late', 'lost', 'outage', 'corrupted', 'in_flight', 'queued')
 EMPTY = 'EMPTY'                 # why nothing came: the link had nothing due
 DELAYS = ('delay_p50', 'delay_p99', 'delay_max')
+PART = re.compile(r'(\w+)(?:\[([\d,]*)\])?')         # of a layout: 'state[2], final'
 
 
 @dataclass(slots=True)
@@ -48,24 +52,29 @@ class Lost:
     why: str
 
 
-def telemetry_of(frame: Any, step_s: float) -> Heard | Lost:
-    """Return what a LinkFrame brought down; `step_s` [s] is the base step."""
+def telemetry_of(frame: Any, step_s: float, width: int,
+                 named: Callable[[list[float]], dict[str, Any]]) -> Heard | Lost:
+    """
+    Return what a LinkFrame brought down.
+
+    `step_s` [s] is the base step, `width` how many numbers the measured state has, and
+    `named(state)` returns it as parts.
+    """
     if frame.empty:
         return Lost(frame.step, EMPTY)
-    content = unpack_downlink(bytes(frame.payload))
+    content = unpack_downlink(bytes(frame.payload), width)
     if not isinstance(content, Downlink) or not all(map(math.isfinite, content.state)):
         return Lost(frame.step, getattr(content, 'name', 'NAN'))
-    state = list(content.state)
-    sample = Sample(frame.step, content.generated_ns / NS_PER_S, True,
-                    {'position': state[:3], 'velocity': state[3:]},
+    sample = Sample(frame.step, content.generated_ns / NS_PER_S, True, named(list(content.state)),
                     received=frame.step * step_s,
                     transit=(frame.arrived - frame.sent) / NS_PER_S)
     return Heard(sample, content.generated_ns, content.accepted_sequence, content.refusal)
 
 
 def state_of(message: Any) -> Sample:
-    """Return a RelativeState: position, velocity and, where it is estimated, sigma (6)."""
-    parts = {'position': _vector(message.position), 'velocity': _vector(message.velocity)}
+    """Return a RelativeState: position, velocity, final; sigma (6) where it is estimated."""
+    parts = {'position': _vector(message.position), 'velocity': _vector(message.velocity),
+             'final': bool(message.final)}
     covariance = message.covariance
     if not math.isnan(covariance[0]):
         parts['sigma'] = [math.sqrt(max(float(v), 0.0)) for v in covariance[::7]]
@@ -93,6 +102,34 @@ def command_of(message: Any) -> Sample:
         'sequence': message.sequence})
 
 
+def values_of(message: Any) -> Sample:
+    """
+    Return the parts of any signal as `Values`, by the names in its layout.
+
+    A part with a shape becomes a flat list, one without a number. Nothing is known where the
+    part `valid` says so or, without such a part, where no number is finite.
+    """
+    parts, at = {}, 0
+    for name, shape in PART.findall(message.layout):
+        size = math.prod(int(n) for n in shape.split(',') if n)
+        numbers = _floats(message.values[at:at + size])
+        parts[name] = numbers if shape else numbers[0]
+        at += size
+    ok = parts['valid'] if 'valid' in parts else any(map(math.isfinite, message.values))
+    return Sample(message.step, _instant(message), bool(ok), parts)
+
+
+def command_of_values(message: Any) -> Sample:
+    """Return a command as `Values` with the parts of `command_of`, as far as it has them."""
+    sample = values_of(message)
+    given = sample.parts
+    sample.parts = {
+        'value': given.get('command', []), 'kind': int(given.get('kind', KIND_THRUST)),
+        'by': int(given.get('decided_by', BY_AUTO)), 'weight': given.get('pilot_weight', math.nan),
+        'reason': int(given.get('reason', REASON_NONE)), 'sequence': message.step + 1}
+    return sample
+
+
 def link_of(message: Any) -> dict[str, float]:
     """Return the counts and delays of a LinkStatus that the page shows."""
     return {name: getattr(message, name) for name in COUNTS + DELAYS}
@@ -103,6 +140,12 @@ SAMPLES: dict[str, Callable[[Any], Sample | None]] = {
     'rvd_interfaces/msg/RelativeState': state_of,
     'rvd_interfaces/msg/PredictionScore': score_of,
     'rvd_interfaces/msg/ThrustCommand': command_of,
+    VALUES: values_of,
+}
+# Those that a command which is sent may have.
+COMMANDS: dict[str, Callable[[Any], Sample]] = {
+    'rvd_interfaces/msg/ThrustCommand': command_of,
+    VALUES: command_of_values,
 }
 
 

@@ -25,10 +25,12 @@ from typing import Any
 import yaml
 
 from rvd_dynamics.mission import MODES
+from rvd_dynamics.recording import whole
 
 TLX = ('mental', 'physical', 'temporal', 'performance', 'effort', 'frustration')
 TLX_KINDS = ('raw', 'weighted')
-KEYS = ('title', 'seed', 'conditions', 'training', 'flights', 'break_after', 'break_s', 'tlx')
+KEYS = ('title', 'seed', 'conditions', 'training', 'flights', 'break_after', 'break_s', 'tlx',
+        'note')
 MAX_VOLUNTEERS = 999
 RATINGS, WEIGHTS = 'ratings.json', 'tlx_weights.json'
 
@@ -45,6 +47,7 @@ class Session:
     break_after: int                    # flights between two breaks; 0: none
     break_s: float                      # [s] wall time
     tlx: str = 'raw'                    # one of TLX_KINDS
+    note: str = ''                      # printed below the table of the report
 
 
 @dataclass(frozen=True)
@@ -98,7 +101,8 @@ def read_session(path: Path) -> Session:
                    modes, _whole(path, tree, 'training', 1, 50),
                    _whole(path, tree, 'flights', 10, 200),
                    _whole(path, tree, 'break_after', 10, 1000),
-                   float(_whole(path, tree, 'break_s', 60, 3600)), tlx)
+                   float(_whole(path, tree, 'break_s', 60, 3600)), tlx,
+                   str(tree.get('note', '')))
 
 
 def _whole(path: Path, tree: dict, key: str, default: int, most: int) -> int:
@@ -178,8 +182,7 @@ class Desk:
         self._verdict: dict[str, Any] = {}      # of it: success and words, for the page
         self._rest_until = 0.0
         folder.mkdir(parents=True, exist_ok=True)
-        (folder / 'session.json').write_text(json.dumps(
-            {**session.__dict__, 'scales': TLX}, indent=2) + '\n', encoding='utf-8')
+        _write(folder / 'session.json', {**session.__dict__, 'scales': TLX})
 
     @property
     def pseudonym(self) -> str:
@@ -306,8 +309,8 @@ class Desk:
                 choice in pair for choice, pair in zip(chosen, pairs)):
             raise ValueError('WEIGHTS')
         weights = {scale: chosen.count(scale) for scale in TLX}
-        _write_whole(self._folder / self.pseudonym / WEIGHTS,
-                     {**self._weights(), self._condition: weights})
+        _write(self._folder / self.pseudonym / WEIGHTS,
+               {**self._weights(), self._condition: weights})
         self._go_on()
 
     def _weights(self) -> dict[str, dict[str, int]]:
@@ -321,7 +324,7 @@ class Desk:
                 'number': flight.number, 'condition': flight.condition, 'mode': flight.mode,
                 'training': flight.training, 'seed': flight.seed, 'reason': self._reason,
                 'cooper_harper': harper, 'tlx': {**tlx, 'mean': sum(tlx.values()) / len(tlx)}}
-        _write_whole(self._folder / self._attempt / RATINGS, made)
+        _write(self._folder / self._attempt / RATINGS, made)
 
     def _go_on(self) -> None:
         self._at += 1
@@ -334,8 +337,5 @@ class Desk:
             self._stage = 'ready'
 
 
-def _write_whole(file: Path, content: dict) -> None:
-    """Write a file that is there whole or not at all."""
-    draft = file.with_suffix('.tmp')
-    draft.write_text(json.dumps(content, indent=2) + '\n', encoding='utf-8')
-    draft.replace(file)
+def _write(file: Path, content: dict) -> None:
+    whole.write_text(file, json.dumps(content, indent=2) + '\n')

@@ -11,9 +11,8 @@ from typing import Any
 from rvd_dynamics.diagram.display import as_data, DERIVED, Trail
 from rvd_groundstation.console.decode import EMPTY, Heard, Lost, Sample
 from rvd_groundstation.console.ladder import Ladder
-from rvd_groundstation.console.provider import MissionDisplay
+from rvd_groundstation.console.provider import MissionDisplay, PILOT
 
-PILOT = '/joy'                  # signal of the command that the stick means
 TRAIL_S = 0.5                   # [s] between two points of the trails that late pages get
 
 

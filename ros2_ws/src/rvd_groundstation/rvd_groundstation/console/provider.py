@@ -9,9 +9,17 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from rvd_dynamics.diagram.display import Display
-from rvd_dynamics.mission import Mission
-from rvd_groundstation.console.decode import Sample
+from rvd_dynamics.diagram.block import GROUND
+from rvd_dynamics.diagram.build import made
+from rvd_dynamics.diagram.diagram import Diagram
+from rvd_dynamics.diagram.display import DERIVED, Display, TRUTH
+from rvd_dynamics.diagram.scenario import Scenario
+from rvd_dynamics.diagram.signal import Signal
+from rvd_dynamics.link.signals import FRAME
+from rvd_groundstation.console.decode import COMMANDS, Sample
+from rvd_groundstation.console.plain import plain_display
+
+PILOT = '/joy'                  # signal of the command that the stick means
 
 
 @dataclass(frozen=True)
@@ -69,6 +77,10 @@ class MissionDisplay:
         """
         return {}
 
+    def measured(self, state: list[float]) -> dict[str, Any]:
+        """Return the state that came down the link as the parts that are displayed."""
+        return {'state': state}
+
     def joy(self, deflection: Sequence[float], held: bool
             ) -> tuple[list[float], list[int]] | None:
         """Return axes and buttons of the Joy for a stick; None: nothing is to be said."""
@@ -84,31 +96,65 @@ class MissionDisplay:
             return [0.0] * len(shown), False
         return [axis.highest * a for axis, a in zip(shown, axes)], True
 
-    def verdict(self, message: Any) -> dict[str, Any]:
-        """Return a final Verdict as the page shows it: see `verdict_of`."""
-        return verdict_of(message, self.display)
+
+def facts_of(scenario: Scenario) -> RunFacts:
+    """Return what a page is told of a run once."""
+    run = scenario.run
+    legs, operation = _part(scenario, 'legs'), _part(scenario, 'operation')
+    return RunFacts(
+        run.step_ns, getattr(legs, 'forward', 0), getattr(legs, 'back', 0), run.timeout_s,
+        getattr(operation, 'mode', 'auto'), getattr(operation, 'operator', 'none'), run.seed,
+        run.pace_factor)
 
 
-def verdict_of(message: Any, display: Display, measures: Sequence[dict[str, Any]] = ()
-               ) -> dict[str, Any]:
+def _part(scenario: Scenario, name: str) -> Any:
+    try:
+        return scenario.part(name)
+    except LookupError:                         # this mission has no such thing
+        return None
+
+
+def display_of(scenario: Scenario) -> MissionDisplay:
     """
-    Return a final Verdict as the page shows it.
+    Return what the mission of a scenario tells the console.
 
-    `measures` are rows {name, words, unit, value, low, high, ok, digits}; a value or a limit
-    that is not there, or an `ok` that nobody judged, is None.
+    It is made of what its constructor names: `facts` (`RunFacts`), and parts of the scenario. A
+    mission that names no display is shown with instruments alone.
+
+    Raises
+    ------
+    ValueError
+        If it cannot be made, or shows what is not on the ground; one line.
     """
-    return {'success': bool(message.success), 'reason': message.reason,
-            'words': words_of(message.reason, display), 'duration': message.duration,
-            'measures': list(measures)}
+    mission, facts = scenario.mission, facts_of(scenario)
+    if not mission.display:
+        return MissionDisplay(facts, plain_display(scenario))
+    provider = made(mission.display,
+                    lambda name: facts if name == 'facts' else scenario.part(name),
+                    f'mission {mission.name}: display')
+    _check(mission.name, provider, on_ground(scenario.diagram))
+    return provider
 
 
-def words_of(reason: str, display: Display) -> str:
-    """Return the words for a reason of the judge."""
-    known = display.reasons or {}
-    return known.get(reason) or reason.replace('_', ' ').capitalize()
+def on_ground(diagram: Diagram) -> dict[str, Signal]:
+    """Return the signals that the ground has, by topic: what its blocks read and write."""
+    found = {}
+    for block in diagram.blocks:
+        if block.segment == GROUND:
+            found |= {read.signal.name: read.signal for read in block.reads.values()}
+            found |= {signal.name: signal for signal in block.writes.values()}
+    return found
 
 
-def display_of(mission: Mission) -> MissionDisplay:
-    """Return what the mission of a scenario tells the console."""
-    from rvd_groundstation.console.lunar_display import LunarDisplay
-    return LunarDisplay(mission)
+def _check(mission: str, provider: MissionDisplay, known: Mapping[str, Signal]) -> None:
+    """Refuse a display of what the ground does not have."""
+    display = provider.display
+    wanted = {*display.parts(), *provider.derives_from} - {DERIVED, TRUTH, PILOT}
+    for topic in sorted(wanted - set(known)):
+        raise ValueError(f'mission {mission}: its display shows {topic}, which is not on the '
+                         f'ground; there are: {", ".join(sorted(known))}')
+    for field, topic, kinds in (('measured', display.measured, (FRAME,)),
+                                ('commands.sent', display.commands.sent, tuple(COMMANDS))):
+        if known[topic].message not in kinds:
+            raise ValueError(f'mission {mission}: its display has {topic} as {field}, which must '
+                             f'be a {" or ".join(kinds)}, not a {known[topic].message}')

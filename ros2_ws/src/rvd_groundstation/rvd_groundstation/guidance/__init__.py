@@ -1,10 +1,11 @@
 """
 Guidance laws: what the automatic controller wants at the predicted state.
 
-`LAWS` lists them by the name a scenario gives. Each is a frozen dataclass: `mission` first,
-then its settings, `uses_stick` (does it look at the pilot's levels?) and
-`levels(prediction, stick_levels) -> levels`. A law that must know what becomes of its levels
-has a field `sharing`, which is given to it like the mission. Add one: one file, one line here.
+`LAWS` lists them by the name a scenario gives. Each is a frozen dataclass of settings with
+`uses_stick` (does it look at the pilot's command?) and `wanted(prediction, stick)`, which returns
+an acceleration in SI units; the command form makes a command of it. What a law must know besides
+its settings (the cone, the orbit, the command form, the sharing) it names as a field made by
+`wiring()`, and gets that and nothing else. Add one: one file, one line here.
 """
 
 from typing import ClassVar, Protocol
@@ -12,7 +13,6 @@ from typing import ClassVar, Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rvd_dynamics.mission import Mission
 from rvd_groundstation.guidance.barrier import Barrier
 from rvd_groundstation.guidance.corridor_apf import CorridorApf
 from rvd_groundstation.guidance.damped_apf import DampedApf
@@ -22,23 +22,24 @@ from rvd_groundstation.guidance.none import NoLaw
 class Law(Protocol):
     """What `LAWS` lists."""
 
-    mission: Mission
     uses_stick: ClassVar[bool]
 
-    def levels(self, prediction: ArrayLike, stick_levels: ArrayLike | None) -> NDArray[np.int8]:
+    def wanted(self, prediction: ArrayLike, stick: ArrayLike | None) -> NDArray[np.float64]:
         """
-        Return levels -3..3 for states at the instant at which a command sent now will act.
+        Return the acceleration wanted at the instant at which a command sent now will act.
 
         Parameters
         ----------
         prediction : array_like, shape (..., 6)
-            States [m, m/s]; an unknown one (NaN) gives level 0.
-        stick_levels : array_like of int, shape (..., 3), or None
-            The pilot's levels, for laws that use them; None when he has nothing to say.
+            States [m, m/s] at that instant; NaN where unknown.
+        stick : array_like, shape (..., 3), or None
+            The pilot's command, for laws that use it; None when there is none.
 
         Returns
         -------
-        ndarray of int8, shape (..., 3)
+        ndarray, shape (..., 3)
+            Acceleration [m/s^2]. Where the state is unknown it is zero or NaN, and the command
+            form makes the neutral command of either.
         """
 
 

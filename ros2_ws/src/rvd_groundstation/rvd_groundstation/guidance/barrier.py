@@ -4,30 +4,31 @@ Predictive barrier: the level nearest to the pilot's from which the chaser can s
 Frame   target orbital (+x along track, +y radially outward, +z completes the triad).
 State   (x, y, z, vx, vy, vz) [m, m/s] on the last axis; leading axes are batch axes. Inside,
         components come first, and the levels -3..3 lie on an axis before them: (7, 2, n).
-Method  Ours; the paper has nothing like it. y and z each by itself: for each level one sample
-        under it, then a coast, then a brake until rest or docking. Where that ends outside
-        `margin_fraction` of the wall, the level violates by so much. The level of least
-        violation is wanted, among equals the one nearest to the pilot's. Several coasts are
-        tried and the worst counts: the cone closes, so a chaser at rest still meets the wall.
-Sharing the wanted level is the command that shall come out. A blend (eq. 25) would bend it, so
-        the law hands over the automatic level whose blend comes nearest.
-Limits  two axes in the square inside the circle; no bound on the error of the prediction.
-        docs/models/barrier.md has the derivation, what was measured and the physical ceiling.
+Method  Ours; the paper has nothing like it. y and z are treated separately: for each level one
+        step under it, then a coast, then braking until rest or docking. The distance by which
+        that ends outside `margin_fraction` of the wall radius is the level's violation. The
+        level with the least violation is wanted, among equals the one nearest to the pilot's.
+        Several coasts are tried and the worst counts: the cone narrows, so even a chaser at
+        rest meets the wall.
+Sharing the wanted level is the command that should come out. A blend (eq. 25) would change it,
+        so the law returns the automatic level whose blend comes nearest.
+Limits  y and z are kept in the square inside the circle; no bound on the prediction error.
+        docs/models/barrier.md has the derivation, the measurements and the physical ceiling.
 """
 
-from dataclasses import dataclass, field
 from functools import cached_property
-from math import inf, sqrt
+from math import sqrt
 from typing import ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rvd_dynamics.geometry.cone import radius
-from rvd_dynamics.mission import Mission
-from rvd_dynamics.diagram.params import param, require
-from rvd_dynamics.commands.levels import acceleration, HIGHEST
-from rvd_groundstation.sharing import Eq25
+from rvd_dynamics.geometry.cone import Cone, radius
+from rvd_dynamics.motion.orbit import OrbitParams
+from rvd_dynamics.diagram.params import param, require, settings, wiring
+from rvd_dynamics.diagram.run import Run
+from rvd_dynamics.commands.levels import HIGHEST, LevelForm
+from rvd_groundstation.operators.operation import Operation
 from rvd_groundstation.sharing.decision import Sharing
 
 Array = NDArray[np.float64]
@@ -35,13 +36,13 @@ Levels = NDArray[np.int8]
 
 LEVELS = np.arange(-HIGHEST, HIGHEST + 1, dtype=np.int8)
 COUPLINGS = ('closing_rate', 'all', 'none')
-SLOWEST_M_S = 0.05              # [m/s] slower closing is taken as this: the end must come
+SLOWEST_M_S = 0.05              # [m/s] least closing rate assumed, so that the approach ends
 VIOLATION_WEIGHT = 1000.0       # [m/s^2 per m] a tenth of a millimetre outweighs any thrust
-THRUST_WEIGHT = 1e-4            # of equals the level with less thrust
+THRUST_WEIGHT = 1e-4            # among equals, prefer the level with less thrust
 
 
 class Ahead(NamedTuple):
-    """What both lateral axes share: components first."""
+    """The approach ahead, which both lateral axes share; components first."""
 
     x: Array                    # (n,)   station [m]
     closing: Array              # (n,)   rate along x, not below SLOWEST_M_S [m/s]
@@ -49,51 +50,55 @@ class Ahead(NamedTuple):
     drift: Array                # (2, n) acceleration by orbital coupling [m/s^2]
 
 
-@dataclass(frozen=True)
+@settings
 class Barrier:
-    """Least change of the pilot's command that keeps a way to stop inside the corridor."""
+    """Least change of the pilot's command that leaves a way to stop inside the corridor."""
 
-    mission: Mission
-    sharing: Sharing = field(default_factory=Eq25)      # wiring: what becomes of our levels
+    run: Run = wiring()
+    cone: Cone = wiring()
+    orbit: OrbitParams = wiring()
+    form: LevelForm = wiring()
+    sharing: Sharing = wiring()             # what becomes of our command
+    operation: Operation = wiring()
     uses_stick: ClassVar[bool] = True
 
-    coasts_s: tuple = param((0.0, 8.0), 'Coasts before the brake, the worst counts [s].')
-    brake_level: int = param(1, 'Lateral level of the brake that is kept in reserve, 1 to 3.')
-    margin_fraction: float = param(0.75, 'Share of the corridor radius that may be used.')
-    coupling: str = param('closing_rate', 'Orbital terms on y and z: closing_rate, the Coriolis '
-                          'term on y; all, the tidal terms too; none.')
+    coasts_s: tuple = param(
+        (0.0, 8.0), 'Coasts assumed before the brake, of which the worst counts [s].', low=0.0)
+    brake_level: int = param(
+        1, 'Lateral level that is kept in reserve for the brake.', low=1, high=3)
+    margin_fraction: float = param(
+        0.75, 'Lateral offset that may be used, as a fraction of the corridor radius.',
+        above=0.0, high=1.0)
+    coupling: str = param(
+        'closing_rate', 'Orbital terms on y and z: closing_rate is the Coriolis term on y, all '
+        'adds the tidal terms, none leaves both out.', choices=COUPLINGS)
     keep_closing_m_s: tuple = param(
-        (0.18, 0.28), 'The pilot may not thrust out of these closing rates [m/s].')
+        (0.18, 0.28), 'Lowest and highest closing rate to which the pilot may thrust [m/s].',
+        length=2, rising=True)
     force_closing_m_s: tuple = param(
-        (0.15, 0.285), 'Beyond these closing rates level 1 brings it back [m/s].')
+        (0.15, 0.285), 'Closing rates below and above which level 1 corrects the rate [m/s].',
+        length=2, rising=True)
 
     def __post_init__(self) -> None:
-        require(len(self.coasts_s) > 0 and all(0.0 <= t < inf for t in self.coasts_s),
-                'coasts_s', 'be numbers, none negative', list(self.coasts_s))
-        require(self.brake_level in (1, 2, 3), 'brake_level', 'be 1, 2 or 3', self.brake_level)
-        require(0.0 < self.margin_fraction <= 1.0, 'margin_fraction', 'be above 0, at most 1',
-                self.margin_fraction)
-        require(self.coupling in COUPLINGS, 'coupling', f'be one of {", ".join(COUPLINGS)}',
-                self.coupling)
-        for name in ('keep_closing_m_s', 'force_closing_m_s'):
-            value = getattr(self, name)
-            require(len(value) == 2 and -inf < value[0] < value[1] < inf, name,
-                    'be two rising numbers', list(value))
+        require(len(self.coasts_s) > 0, 'coasts_s', 'be one number or more', list(self.coasts_s))
 
-    def levels(self, prediction: ArrayLike, stick_levels: ArrayLike | None) -> Levels:
+    def wanted(self, prediction: ArrayLike, stick: ArrayLike | None) -> Array:
         """
-        Return automatic levels (..., 3); see `Law.levels`.
+        Return the effect (..., 3) [m/s^2] of the automatic command; see `Law.wanted`.
 
         Without a stick, and in mode auto, where nobody blends, the pilot counts as neutral and
-        the levels are the wanted command itself.
+        the automatic command is the one that shall come out itself.
         """
         prediction = np.asarray(prediction, dtype=float)
-        alone = stick_levels is None or self.mission.mode == 'auto'
-        stick = np.zeros((*prediction.shape[:-1], 3), dtype=np.int8) if alone else stick_levels
-        wanted = self.wanted(prediction, stick)
-        return wanted if alone else self._automatic[np.add(stick, HIGHEST), wanted + HIGHEST]
+        alone = stick is None or self.operation.mode == 'auto'
+        if alone:
+            stick = np.zeros((*prediction.shape[:-1], 3), dtype=np.int8)
+        outcome = self.outcome(prediction, stick)
+        if not alone:
+            outcome = self._automatic[np.add(stick, HIGHEST), outcome + HIGHEST]
+        return self.form.effect(outcome)
 
-    def wanted(self, prediction: ArrayLike, stick_levels: ArrayLike) -> Levels:
+    def outcome(self, prediction: ArrayLike, stick_levels: ArrayLike) -> Levels:
         """Return the command (..., 3) that shall come out; 0 where the state is unknown."""
         prediction = np.asarray(prediction, dtype=float)
         state = np.ascontiguousarray(prediction.reshape(-1, 6).T)
@@ -110,7 +115,7 @@ class Barrier:
 
     def violation(self, state: Array) -> Array:
         """Return by how much (7, 2, n) [m] each level misses the corridor from `state` (6, n)."""
-        dt = self.mission.step_s
+        dt = self.run.step_s
         ahead = self._ahead(state)
         accel = self._lateral[:, None, None] + ahead.drift
         p = (state[1:3] + state[4:6]*dt) + accel*(dt*dt/2.0)    # after one sample
@@ -121,7 +126,7 @@ class Barrier:
         return worst
 
     def _ahead(self, state: Array) -> Ahead:
-        n, dt = self.mission.orbit.mean_motion, self.mission.step_s
+        n, dt = self.orbit.mean_motion, self.run.step_s
         closing = np.maximum(state[3], SLOWEST_M_S)
         to_go = np.maximum(-state[0]/closing, 0.0)
         drift = np.zeros_like(state[1:3])
@@ -144,9 +149,9 @@ class Barrier:
         time /= brake
         np.minimum(time, ahead.left - coast, out=time)
         station = ahead.closing*time
-        station += ahead.x + ahead.closing*(self.mission.step_s + coast)
+        station += ahead.x + ahead.closing*(self.run.step_s + coast)
         np.minimum(station, 0.0, out=station)
-        bound = radius(station, self.mission.corridor)
+        bound = radius(station, self.cone)
         bound *= self.margin_fraction/sqrt(2.0)     # the square inside the circle
         end = v*time                                # v t - sign(v) a t^2 / 2
         time *= time
@@ -159,7 +164,7 @@ class Barrier:
 
     def _closing(self, rate: Array, stick: Levels) -> Levels:
         """Return the level along x: the pilot's, unless it drives the closing rate too far."""
-        after = rate + self._along[stick + HIGHEST]*self.mission.step_s
+        after = rate + self._along[stick + HIGHEST]*self.run.step_s
         slow, fast = self.keep_closing_m_s
         too_slow, too_fast = self.force_closing_m_s
         leaves = ((after <= slow) & (stick < 0)) | ((after >= fast) & (stick > 0))
@@ -180,7 +185,7 @@ class Barrier:
 
     @cached_property
     def _accelerations(self) -> Array:
-        return acceleration(np.repeat(LEVELS[:, None], 3, axis=1), self.mission.thrust)
+        return self.form.effect(np.repeat(LEVELS[:, None], 3, axis=1))
 
     @cached_property
     def _brake(self) -> float:
@@ -188,7 +193,7 @@ class Barrier:
 
     @cached_property
     def _reluctance(self) -> Array:
-        """What a level costs that violates nothing: `[level, pilot's level]` (7, 7) [m/s^2]."""
+        """Cost of a level that violates nothing: `[level, pilot's level]` (7, 7) [m/s^2]."""
         a = self._lateral
         return np.abs(a[:, None] - a) + THRUST_WEIGHT*np.abs(a)[:, None]
 

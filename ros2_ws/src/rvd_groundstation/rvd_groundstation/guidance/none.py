@@ -2,22 +2,20 @@
 No guidance: the automatic controller never thrusts, as in condition 1 of the paper.
 """
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rvd_dynamics.mission import Mission
+from rvd_dynamics.diagram.params import settings
 
 
-@dataclass(frozen=True)
+@settings
 class NoLaw:
-    """Level 0 always."""
+    """Wants nothing, ever."""
 
-    mission: Mission
     uses_stick: ClassVar[bool] = False
 
-    def levels(self, prediction: ArrayLike, stick_levels: ArrayLike | None) -> NDArray[np.int8]:
+    def wanted(self, prediction: ArrayLike, stick: ArrayLike | None) -> NDArray[np.float64]:
         """Return zeros (..., 3) for states (..., 6)."""
-        return np.zeros((*np.shape(prediction)[:-1], 3), dtype=np.int8)
+        return np.zeros((*np.shape(prediction)[:-1], 3))

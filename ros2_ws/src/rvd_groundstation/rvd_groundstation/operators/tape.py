@@ -5,12 +5,12 @@ CSV     header `t_s,axis_0,axis_1,...,button_0,...`, one row per sample; lines t
         `#` are comments. Axes are rounded to float32, in which a Joy carries them.
 bag     a rosbag2 folder with MCAP files, or one .mcap file, with `/joy` (sensor_msgs/Joy);
         the stamps of its headers count, not the log times.
-Time    0 is the first stamp. A sample holds until the next; the last stamp is the end of the
-        tape. Later the tape says nothing: no axes, no buttons, which no stick map takes as
-        valid. A pilot who has stopped holding a stick is not a pilot who holds it neutral.
+Time    0 is the first stamp. A sample holds until the next one; the last stamp is the end of
+        the tape. After that the tape gives no axes and no buttons, which is invalid under every
+        stick map: a pilot who has let go of the stick is not one who holds it neutral.
 
-A tape that is not what it should be is refused as a whole, with file and line. Only a bag that
-was cut off while it was recorded is played as far as it goes.
+A malformed tape is refused as a whole, with file and line. Only a bag that was cut off while it
+was recorded is played, as far as it goes.
 """
 
 from array import array
@@ -19,9 +19,9 @@ import csv
 from dataclasses import dataclass
 from math import isfinite
 from pathlib import Path
-from struct import error as struct_error
 
-NS_PER_S = 1_000_000_000
+from rvd_dynamics.constants import NS_PER_S
+
 LATEST_S = 1e6                          # [s] stamps beyond lose digits in float seconds
 TOPIC, MESSAGE = '/joy', 'sensor_msgs/msg/Joy'
 
@@ -36,7 +36,7 @@ class Tape:
 
     @property
     def end_ns(self) -> int:
-        """Last instant at which the tape says something [ns]."""
+        """Last instant of the tape [ns]."""
         return self.stamps_ns[-1]
 
     def at(self, t_ns: int) -> tuple[tuple[float, ...], tuple[int, ...]]:
@@ -64,7 +64,7 @@ def read_tape(path: str | Path) -> Tape:
     ------
     ValueError
         If there is no such tape or it cannot be played; the text is one line that names the
-        file and, where there is one, the line or message.
+        file and, if possible, the line or message.
     """
     path = Path(path)
     try:
@@ -78,7 +78,7 @@ def read_tape(path: str | Path) -> Tape:
 
 
 class _Samples:
-    """Collects samples and refuses the first that does not fit."""
+    """Collects samples and refuses the first one that does not fit."""
 
     def __init__(self) -> None:
         self._stamps: list[int] = []
@@ -159,48 +159,22 @@ def _button(text: str, name: str, where: str) -> int:
 
 
 def _read_bag(path: Path) -> Tape:
-    from mcap.exceptions import EndOfFile, McapError
+    from rvd_dynamics.recording.messages import files_of, MessageFile, stamp_ns
     samples = _Samples()
-    for file in _mcap_files(path):
-        try:
-            _read_mcap(file, samples)
-        except (EndOfFile, struct_error):       # cut off while recording: it ends there
-            continue
-        except McapError as error:
-            raise ValueError(f'{file}: not a readable MCAP file: {error}') from None
+    for file in files_of(path):
+        content = MessageFile(file, {TOPIC}, refuse_damage=True)
+        for stored in content:
+            _check_type(file, stored.source.kind, stored.source.encoding)
+            joy = stored.message
+            samples.add(f'{file}, {TOPIC} message {stored.number}',
+                        stamp_ns(joy.header.stamp), tuple(joy.axes), tuple(joy.buttons))
+        for source in content.sources:          # also one without messages
+            if source.topic == TOPIC:
+                _check_type(file, source.kind, source.encoding)
     return samples.tape(path)
 
 
-def _mcap_files(path: Path) -> list[Path]:
-    """Return the MCAP files of a bag in the order of recording."""
-    if path.is_file():
-        return [path]
-    files = list(path.glob('*.mcap'))
-    if not files:
-        raise ValueError(f'{path}: no .mcap file in the folder')
-    return sorted(files, key=lambda file: (len(file.name), file.name))     # bag_2 before bag_10
-
-
-def _read_mcap(file: Path, samples: _Samples) -> None:
-    from mcap.records import Channel, Message, Schema
-    from mcap.stream_reader import StreamReader
-    from mcap_ros2.decoder import DecoderFactory
-    schemas, decoders, count = {}, {}, 0
-    with file.open('rb') as stream:
-        for record in StreamReader(stream).records:
-            if isinstance(record, Schema):
-                schemas[record.id] = record
-            elif isinstance(record, Channel) and record.topic == TOPIC:
-                schema = schemas.get(record.schema_id)
-                if schema is None or (schema.name, record.message_encoding) != (MESSAGE, 'cdr'):
-                    raise ValueError(
-                        f'{file}: {TOPIC} must be {MESSAGE} in cdr, got '
-                        f'{schema.name if schema else "no schema"} in {record.message_encoding}')
-                decoders[record.id] = DecoderFactory().decoder_for('cdr', schema)
-            elif isinstance(record, Message) and record.channel_id in decoders:
-                count += 1
-                joy = decoders[record.channel_id](record.data)
-                stamp = joy.header.stamp
-                samples.add(f'{file}, {TOPIC} message {count}',
-                            stamp.sec * NS_PER_S + stamp.nanosec,
-                            tuple(joy.axes), tuple(joy.buttons))
+def _check_type(file: Path, kind: str, encoding: str) -> None:
+    if (kind, encoding) != (MESSAGE, 'cdr'):
+        raise ValueError(f'{file}: {TOPIC} must be {MESSAGE} in cdr, got {kind or "no schema"} in '
+                         f'{encoding}')

@@ -1,63 +1,64 @@
 """
-Kalman filter of the relative motion: all six states measured, noise in proportion to them.
+Kalman filter of the relative motion: all six states are measured, with proportional noise.
 
 Frame   target orbital (+x along track, +y radially outward, +z completes the triad).
 State   (x, y, z, vx, vy, vz) [m, m/s] on the last axis; leading axes are batch axes.
 Source  the paper (Zhang, Li, Tang 2014, section 2.2) asks for a filter and names none. Ours:
         measurement = state (1 + 0.01 N), so R = diag(0.01 max(|x_i|, floor_i))^2 + sigma_i^2;
-        process noise Q = Gamma (3e-4 m/s^2)^2 Gamma' + floor; the floors keep R regular where
-        a component is zero and belong to the filter, the sensor has none.
+        process noise Q = Gamma (3e-4 m/s^2)^2 Gamma' + floor. The floors keep R regular where
+        a component is zero; they belong to the filter, and the sensor has none.
 
 `FILTERS` lists two. `scheduled` runs filterpy's filter once on the straight nominal approach
 and keeps its gains, one 6 x 6 sequence for every run and row. `adaptive` keeps one filterpy
 filter per row, with R from its own estimate.
 """
 
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rvd_dynamics.mission import Mission, StartParams
 from rvd_dynamics.motion import cw
-from rvd_dynamics.diagram.params import param, require
+from rvd_dynamics.motion.orbit import OrbitParams, StartParams
+from rvd_dynamics.diagram.params import param, settings
+from rvd_dynamics.diagram.run import Run
 
 Array = NDArray[np.float64]
-FLOOR_STEP_S = 0.5                      # [s] step for which `process_variance_floor` is meant
+FLOOR_STEP_S = 0.5                      # [s] step to which `process_variance_floor` refers
 
 
-@dataclass(frozen=True)
+@settings
 class FilterParams:
-    """Noise that the filter reckons with."""
+    """Process and measurement noise assumed by the filter."""
 
-    process_noise_m_s2: float = param(3e-4, 'Unknown acceleration, constant in a step [m/s^2].')
+    process_noise_m_s2: float = param(
+        3e-4, 'Standard deviation of the unknown acceleration, which is constant within a step '
+        '[m/s^2].', low=0.0)
     process_variance_floor: float = param(
-        1e-10, 'Added to the variance of each element per 0.5 s [m^2, m^2/s^2].')
-    measurement_fraction: float = param(0.01, 'Measurement noise, of the measured value.')
+        1e-10, 'Variance added to each position and velocity component per 0.5 s '
+        '[m^2, m^2/s^2].', low=0.0)
+    measurement_fraction: float = param(
+        0.01, 'Standard deviation of the measurement noise of a component, as a fraction of its '
+        'value.', above=0.0)
     position_floor_m: tuple = param(
-        (0.25, 0.3, 0.3), 'Values below which the fraction takes these instead [m].')
-    velocity_floor_m_s: tuple = param((0.25, 0.02, 0.02), 'Likewise for the rates [m/s].')
-    position_sigma_m: float = param(1e-4, 'Measurement noise that is always there [m].')
-    velocity_sigma_m_s: float = param(1e-5, 'Likewise for the rates [m/s].')
+        (0.25, 0.3, 0.3), 'Distance along x, y and z below which the measurement noise no longer '
+        'shrinks with it [m].', low=0.0, length=3)
+    velocity_floor_m_s: tuple = param(
+        (0.25, 0.02, 0.02), 'Speed along x, y and z below which the measurement noise no longer '
+        'shrinks with it [m/s].', low=0.0, length=3)
+    position_sigma_m: float = param(
+        1e-4, 'Standard deviation of the part of the position noise that does not depend on the '
+        'position [m].', above=0.0)
+    velocity_sigma_m_s: float = param(
+        1e-5, 'Standard deviation of the part of the velocity noise that does not depend on the '
+        'velocity [m/s].', above=0.0)
     start_position_sigma_m: tuple = param(
-        (0.3, 0.5, 0.5), 'Uncertainty of the nominal start position [m].')
+        (0.3, 0.5, 0.5), 'Standard deviations of the start position along x, y and z [m].',
+        low=0.0, length=3)
     start_velocity_sigma_m_s: tuple = param(
-        (0.01, 0.02, 0.02), 'Uncertainty of the nominal start rates [m/s].')
-
-    def __post_init__(self) -> None:
-        for name in ('process_noise_m_s2', 'process_variance_floor'):
-            value = getattr(self, name)
-            require(0.0 <= value < float('inf'), name, 'be a number, not negative', value)
-        for name in ('measurement_fraction', 'position_sigma_m', 'velocity_sigma_m_s'):
-            value = getattr(self, name)
-            require(0.0 < value < float('inf'), name, 'be positive', value)
-        for name in ('position_floor_m', 'velocity_floor_m_s', 'start_position_sigma_m',
-                     'start_velocity_sigma_m_s'):
-            value = getattr(self, name)
-            require(len(value) == 3 and all(0.0 <= v < float('inf') for v in value), name,
-                    'be three numbers, none negative', list(value))
+        (0.01, 0.02, 0.02), 'Standard deviations of the start velocity along x, y and z [m/s].',
+        low=0.0, length=3)
 
     def measurement_variance(self, state: Array) -> Array:
         """Return the diagonal of R (..., 6) at `state` (..., 6)."""
@@ -79,33 +80,38 @@ class FilterParams:
 
 
 class Schedule(NamedTuple):
-    """What a filter on the nominal approach found, by telemetry step."""
+    """Gains and covariances of a filter on the nominal approach, by telemetry step."""
 
     gains: Array                        # (steps, 6, 6)
     covariances: Array                  # (steps, 6, 6) posterior, no sample lost
     measurement_variances: Array        # (steps, 6) diagonal of R
 
 
-def gain_sequence(params: FilterParams, mission: Mission, steps: int) -> Schedule:
+def gain_sequence(params: FilterParams, start: StartParams, orbit: OrbitParams, step_s: float,
+                  steps: int) -> Schedule:
     """
     Run filterpy's Kalman filter once on the straight nominal approach.
 
-    The approach is the nominal start moving on at its nominal velocity; sample 0 is measured
-    at the start itself. Covariances do not depend on what is measured, so neither do gains.
+    The approach continues from the nominal start at the nominal velocity; sample 0 is taken at
+    the start itself. Covariances do not depend on the measured values, so neither do the gains.
 
     Parameters
     ----------
     params : FilterParams
-    mission : Mission
+    start : StartParams
+        Where the approach begins.
+    orbit : OrbitParams
+    step_s : float
+        Time between two samples [s].
     steps : int
-        Samples; the matrices of a longer schedule begin with those of a shorter one.
+        Number of samples; a longer schedule begins with the matrices of a shorter one.
 
     Returns
     -------
     Schedule
-        Read-only and shared between equal calls.
+        Read-only, and shared between equal calls.
     """
-    return _schedule(params, mission.start, mission.step_s, mission.orbit.mean_motion, steps)
+    return _schedule(params, start, step_s, orbit.mean_motion, steps)
 
 
 @lru_cache(maxsize=8)
@@ -139,38 +145,37 @@ def _filterpy_filter(params: FilterParams, start: StartParams, step_s: float,
     return kf
 
 
-class Filter(Protocol):
-    """What `FILTERS` lists: made with (params, mission, batch, track)."""
+class TelemetryFilter(Protocol):
+    """What `FILTERS` lists: made with (params, run, orbit, start, batch, track)."""
 
     estimate: Array                     # (..., 6) after the last `advance`, at first the start
     covariance: Array | None            # (..., 6, 6) of it, or None when not tracked
 
     def advance(self, m: int, accel: Array, measured: Array, received: NDArray) -> Array:
-        """Take the estimate to sample m; see `ScheduledFilter.advance`."""
+        """Advance the estimate to sample m; see `ScheduledFilter.advance`."""
 
 
 class ScheduledFilter:
     """The filter with the gains of `gain_sequence`; one line serves (6,) and (N, 6)."""
 
-    def __init__(self, params: FilterParams, mission: Mission, batch: tuple = (),
-                 track: bool = True) -> None:
+    def __init__(self, params: FilterParams, run: Run, orbit: OrbitParams, start: StartParams,
+                 batch: tuple = (), track: bool = True) -> None:
         """
         Start at the nominal state.
 
-        `batch` is the shape of the leading axes. `track` follows the covariance of each row
-        through the samples that it lost; the estimate does not need it.
+        `batch` is the shape of the leading axes. With `track` the covariance of each row is
+        followed through the samples that it lost; the estimate does not need it.
         """
-        n, dt = mission.orbit.mean_motion, mission.step_s
+        n, dt = orbit.mean_motion, run.step_s
         self._phi, self._gamma = cw.transition(n, dt), cw.input_matrix(n, dt)
-        self._schedule = gain_sequence(params, mission, mission.last_step + 1)
-        nominal = np.array(mission.start.position_m + mission.start.velocity_m_s)
-        self.estimate = np.tile(nominal, (*batch, 1))
+        self._schedule = gain_sequence(params, start, orbit, dt, run.last_step + 1)
+        self.estimate = np.tile(start.state, (*batch, 1))
         self.covariance = np.tile(params.start_covariance(), (*batch, 1, 1)) if track else None
         self._process = params.process_covariance(self._gamma, dt)
 
     def advance(self, m: int, accel: Array, measured: Array, received: NDArray) -> Array:
         """
-        Take the estimate to sample `m` and return it.
+        Advance the estimate to sample `m` and return it.
 
         Parameters
         ----------
@@ -197,7 +202,7 @@ class ScheduledFilter:
         return self.estimate
 
     def _next_covariance(self, m: int, received: NDArray) -> Array:
-        """Return the covariance by Joseph's form, right for a gain that is not the optimal one."""
+        """Return the covariance by Joseph's form, which is correct for any gain."""
         p = self.covariance
         if m > 0:
             p = self._phi @ p @ self._phi.T + self._process
@@ -210,18 +215,17 @@ class ScheduledFilter:
 class AdaptiveFilter:
     """One filterpy filter per row with R from its own estimate: for study, slow in a batch."""
 
-    def __init__(self, params: FilterParams, mission: Mission, batch: tuple = (),
-                 track: bool = True) -> None:
+    def __init__(self, params: FilterParams, run: Run, orbit: OrbitParams, start: StartParams,
+                 batch: tuple = (), track: bool = True) -> None:
         """Start as `ScheduledFilter` does; the covariance costs nothing here, `track` or not."""
         self._params = params
         self._filters = np.empty(batch, dtype=object)
         for row in np.ndindex(batch):
-            self._filters[row] = _filterpy_filter(params, mission.start, mission.step_s,
-                                                  mission.orbit.mean_motion)
+            self._filters[row] = _filterpy_filter(params, start, run.step_s, orbit.mean_motion)
         self._read()
 
     def advance(self, m: int, accel: Array, measured: Array, received: NDArray) -> Array:
-        """Take the estimate to sample `m`; arguments as `ScheduledFilter.advance`."""
+        """Advance the estimate to sample `m`; arguments as `ScheduledFilter.advance`."""
         for row in np.ndindex(self._filters.shape):
             kf = self._filters[row]
             if m > 0:

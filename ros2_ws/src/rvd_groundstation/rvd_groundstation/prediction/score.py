@@ -1,11 +1,11 @@
 """
-Live score of the predictor: each prediction held against the sample of its instant.
+Live score of the predictor: each prediction compared with the sample of the same instant.
 
 State   (x, y, z, vx, vy, vz) [m, m/s] on the last axis; leading axes are batch axes.
 Steps   a prediction made at step k is for k + forward_steps; the sample of that instant
         reaches the ground a whole loop later, at k + forward_steps + back_steps.
-Limits  the sample carries its own noise (1 % of each component), which the score contains;
-        a command lost on the way shows as prediction error, as it should.
+Limits  the score includes the sample's own noise (1 % of each component); a command lost on
+        the way shows as prediction error, as it should.
 """
 
 from collections import deque
@@ -14,16 +14,16 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rvd_dynamics.mission import Mission
+from rvd_dynamics.diagram.run import Legs
 from rvd_groundstation.prediction.predictor import Prediction
 
 Array = NDArray[np.float64]
 
 
 class Scored(NamedTuple):
-    """What one step had to compare; the fields of PredictionScore.msg."""
+    """Comparison made in one step; the fields of PredictionScore.msg."""
 
-    valid: NDArray[np.bool_]            # (...)    a prediction and a sample of one instant met
+    valid: NDArray[np.bool_]            # (...)    prediction and sample of the same instant exist
     error: Array                        # (..., 6) predicted minus received; NaN when not valid
     sigma: Array                        # (..., 6) deviation the prediction claimed; NaN if none
     scored: NDArray[np.int64]           # (...)    predictions scored so far
@@ -31,20 +31,19 @@ class Scored(NamedTuple):
 
 
 class Score:
-    """Keeps the predictions of one loop time and the sums; called once per step, in order."""
+    """Keeps the predictions of one loop delay and the sums; called once per step, in order."""
 
-    def __init__(self, mission: Mission, batch: tuple = ()) -> None:
+    def __init__(self, legs: Legs, batch: tuple = ()) -> None:
         """Start with nothing scored; `batch` is the shape of the leading axes."""
         nothing = np.full((*batch, 6), np.nan)
-        loop = mission.forward_steps + mission.back_steps
-        self._made = deque([(nothing, nothing)] * (loop + 1), maxlen=loop + 1)
+        self._made = deque([(nothing, nothing)] * (legs.loop + 1), maxlen=legs.loop + 1)
         self._count = np.zeros(batch, dtype=np.int64)
         self._squares = np.zeros((*batch, 6))
 
     def advance(self, prediction: Prediction, measured: ArrayLike | None,
                 received: ArrayLike) -> Scored:
         """
-        Keep the prediction of this step and score the one that its sample is for.
+        Keep the prediction of this step, and score the one for the instant of its sample.
 
         Parameters
         ----------

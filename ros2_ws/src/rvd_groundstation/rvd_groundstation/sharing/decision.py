@@ -1,10 +1,10 @@
 """
-Who decides: the mode, the sharing and the validity of both inputs make one command.
+Who decides: mode, sharing and the validity of both inputs determine one command.
 
 manual  the pilot's levels; an invalid stick is level 0.
-shared  both valid, a neutral stick too: the sharing. Stick invalid or no pilot: the automatic
-        levels themselves (eta = 0), because a zeroed stick would leave them at level 1.
-        Automatic command invalid: it counts as level 0.
+shared  both valid, even if the stick is neutral: the sharing. Stick invalid or no pilot: the
+        automatic levels themselves (eta = 0), because blended with a zeroed stick they would
+        come out as level 1 at most. Automatic command invalid: it counts as level 0.
 auto    the automatic levels themselves; invalid is level 0.
 
 A command with a level outside -3..3 or not whole is invalid as a whole, whatever its flag says.
@@ -17,7 +17,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rvd_dynamics.commands import codes
-from rvd_dynamics.mission import MODES
+from rvd_groundstation.operators.operation import MODES
+
+# As one byte each: numbers of Python would make every choice below eight times as wide.
+NOBODY, PILOT, AUTO, BLEND = np.array(
+    (codes.BY_NOBODY, codes.BY_PILOT, codes.BY_AUTO, codes.BY_BLEND), dtype=np.uint8)
+NONE, MODE, PILOT_INVALID, AUTO_INVALID, BOTH_INVALID = np.array(
+    (codes.REASON_NONE, codes.REASON_MODE, codes.REASON_PILOT_INVALID, codes.REASON_AUTO_INVALID,
+     codes.REASON_BOTH_INVALID), dtype=np.uint8)
 
 
 class Sharing(Protocol):
@@ -28,14 +35,14 @@ class Sharing(Protocol):
         """Weight of the pilot 0..1; NaN where nothing is weighted."""
 
     def share(self, pilot: ArrayLike, auto: ArrayLike) -> NDArray[np.int8]:
-        """Make one command of two, shapes (..., 3)."""
+        """Combine two commands into one, shapes (..., 3)."""
 
 
 class Decision(NamedTuple):
-    """A command and where it comes from; one entry per row of the batch."""
+    """A command and its origin; one entry per row of the batch."""
 
     levels: NDArray[np.int8]            # (..., 3) -3..3 along x, y, z; 0 when not valid
-    valid: NDArray[np.bool_]            # (...)    false: no input had anything to say
+    valid: NDArray[np.bool_]            # (...)    false: no input was valid
     decided_by: NDArray[np.uint8]       # (...)    BY_*
     pilot_weight: NDArray[np.float64]   # (...)    0..1; NaN when nothing was blended
     reason: NDArray[np.uint8]           # (...)    REASON_*
@@ -51,7 +58,7 @@ def decide(mode: str, sharing: Sharing, pilot: ArrayLike, pilot_valid: ArrayLike
     mode : str
         manual, shared or auto.
     sharing : Sharing
-        An entry of `SHARING`; asked in mode shared only.
+        An entry of `SHARING`; used in mode shared only.
     pilot, auto : array_like, shape (..., 3)
         Levels.
     pilot_valid, auto_valid : array_like of bool, shape (...)
@@ -70,44 +77,37 @@ def decide(mode: str, sharing: Sharing, pilot: ArrayLike, pilot_valid: ArrayLike
     pilot, pilot_valid = usable(pilot, pilot_valid)
     auto, auto_valid = usable(auto, auto_valid)
     if mode == 'manual':
-        return _alone(pilot, pilot_valid, codes.BY_PILOT, codes.REASON_PILOT_INVALID)
+        return _alone(pilot, pilot_valid, PILOT, PILOT_INVALID)
     if mode == 'auto':
-        return _alone(auto, auto_valid, codes.BY_AUTO, codes.REASON_AUTO_INVALID)
+        return _alone(auto, auto_valid, AUTO, AUTO_INVALID)
     return _shared(sharing, pilot, pilot_valid, auto, auto_valid)
 
 
 def usable(levels: ArrayLike, valid: ArrayLike) -> tuple[NDArray[np.int8], NDArray[np.bool_]]:
-    """Return levels as int8, 0 where invalid, and the rows that are valid and whole -3..3."""
+    """Return levels as int8, 0 where invalid, and which rows are valid: whole and -3..3."""
     levels = np.asarray(levels)
     whole = (levels >= -3) & (levels <= 3)              # NaN compares false
     if levels.dtype.kind == 'f':
         whole &= levels == np.rint(levels)
     good = whole[..., 0] & whole[..., 1] & whole[..., 2] & np.asarray(valid, dtype=bool)
-    return np.where(good[..., None], levels, 0).astype(np.int8), good
+    return np.where(good[..., None], levels, 0).astype(np.int8, copy=False), good
 
 
-def _alone(levels: NDArray, valid: NDArray, by: int, reason_invalid: int) -> Decision:
-    """Pass one source on, by the mode."""
-    return Decision(levels, valid,
-                    np.where(valid, by, codes.BY_NOBODY).astype(np.uint8),
-                    np.full(valid.shape, np.nan),
-                    np.where(valid, codes.REASON_MODE, reason_invalid).astype(np.uint8))
+def _alone(levels: NDArray, valid: NDArray, by: np.uint8, reason_invalid: np.uint8) -> Decision:
+    """Pass one source on, as the mode says."""
+    return Decision(levels, valid, np.where(valid, by, NOBODY), np.full(valid.shape, np.nan),
+                    np.where(valid, MODE, reason_invalid))
 
 
 def _shared(sharing: Sharing, pilot: NDArray, pilot_valid: NDArray, auto: NDArray,
             auto_valid: NDArray) -> Decision:
     levels = np.where(pilot_valid[..., None], sharing.share(pilot, auto), auto)
-    if isnan(sharing.pilot_weight):                     # a filter: did it let the pilot pass?
+    by_both: NDArray | np.uint8 = BLEND
+    if isnan(sharing.pilot_weight):                     # a filter: did the pilot's levels pass?
         same = levels == pilot
-        by_both = np.where(same[..., 0] & same[..., 1] & same[..., 2],
-                           codes.BY_PILOT, codes.BY_AUTO)
-    else:
-        by_both = codes.BY_BLEND
-    decided_by = np.where(pilot_valid, by_both,
-                          np.where(auto_valid, codes.BY_AUTO, codes.BY_NOBODY))
+        by_both = np.where(same[..., 0] & same[..., 1] & same[..., 2], PILOT, AUTO)
+    decided_by = np.where(pilot_valid, by_both, np.where(auto_valid, AUTO, NOBODY))
     weight = np.where(pilot_valid, sharing.pilot_weight, np.where(auto_valid, 0.0, np.nan))
-    reason = np.where(pilot_valid,
-                      np.where(auto_valid, codes.REASON_NONE, codes.REASON_AUTO_INVALID),
-                      np.where(auto_valid, codes.REASON_PILOT_INVALID, codes.REASON_BOTH_INVALID))
-    return Decision(levels, pilot_valid | auto_valid, decided_by.astype(np.uint8), weight,
-                    reason.astype(np.uint8))
+    reason = np.where(pilot_valid, np.where(auto_valid, NONE, AUTO_INVALID),
+                      np.where(auto_valid, PILOT_INVALID, BOTH_INVALID))
+    return Decision(levels, pilot_valid | auto_valid, decided_by, weight, reason)

@@ -1,43 +1,40 @@
 """
 Weighted blending of two level commands, rounded away from zero, in exact arithmetic.
 
-Inputs  levels -3..3 of the pilot and of the automatic controller, each axis by itself.
+Inputs  levels -3..3 of the pilot and of the automatic controller; each axis is blended alone.
 Source  Zhang, Li, Tang, J. Astronautics 35(3), 2014, eq. 25: U = <eta U_man + (1 - eta) U_auto>,
         <m> = sign(m) ceil|m|, eta = 0.7.
         In floating point 12 of the 4949 cells of a 0.01 grid of eta come out wrong, and level 4
-        appears at eta = 0.2; so eta = p/q is taken as the decimal it was written as and
+        appears at eta = 0.2. So eta = p/q is taken as the decimal that was written, and
         e = p man + (q - p) auto is rounded in whole numbers: sign(e) ((|e| + q - 1) // q).
 """
 
-from dataclasses import dataclass
-from decimal import Decimal, InvalidOperation
+from decimal import Decimal
 from fractions import Fraction
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rvd_dynamics.diagram.params import param, require
+from rvd_dynamics.diagram.params import param, settings
 
 ROUNDINGS = ('away', 'truncate')
 LEVELS = range(-3, 4)
 
 
-@dataclass(frozen=True)
+@settings
 class Eq25:
     """Blend with the weight `eta` of the pilot (eq. 25)."""
 
-    eta: float = param(0.7, 'Weight of the pilot, 0 to 1, taken as the decimal that is written.')
-    rounding: str = param('away', 'away: from zero, eq. 25; truncate: towards zero, for study.')
-
-    def __post_init__(self) -> None:
-        exact_fraction('eta', self.eta)
-        require(self.rounding in ROUNDINGS, 'rounding', f'be one of {", ".join(ROUNDINGS)}',
-                self.rounding)
+    eta: float = param(
+        0.7, 'Weight of the pilot, taken as the exact decimal as written.', low=0.0, high=1.0)
+    rounding: str = param(
+        'away', 'Rounding of the blend: away from zero as in eq. 25, or, for study, truncate '
+        'towards zero.', choices=ROUNDINGS)
 
     @property
     def pilot_weight(self) -> float:
-        """Weight of the pilot, to be shown."""
+        """Weight of the pilot, for display."""
         return float(self.eta)
 
     def share(self, pilot: ArrayLike, auto: ArrayLike) -> NDArray[np.int8]:
@@ -58,7 +55,7 @@ class Eq25:
     @cached_property
     def _table(self) -> NDArray[np.int8]:
         # 49 cells in Python's integers: exact for any number of decimals, and one look-up a step.
-        eta = exact_fraction('eta', self.eta)
+        eta = exact_fraction(self.eta)
         p, q = eta.numerator, eta.denominator
         up = q - 1 if self.rounding == 'away' else 0
         cells = [[blend(p*man + (q - p)*auto, q, up) for auto in LEVELS] for man in LEVELS]
@@ -66,24 +63,11 @@ class Eq25:
 
 
 def blend(e: int, q: int, up: int) -> int:
-    """Return e / q rounded: with `up` = q - 1 away from zero, with 0 towards it."""
+    """Return e / q rounded: away from zero with `up` = q - 1, towards it with 0."""
     size = (abs(e) + up) // q
     return size if e > 0 else -size
 
 
-def exact_fraction(name: str, value: float | str) -> Fraction:
-    """
-    Return the fraction that a decimal means as written: 0.7 is 7/10, not the nearest binary.
-
-    Raises
-    ------
-    ValueError
-        If `value` is not a number from 0 to 1; the text carries `name` and the value.
-    """
-    try:
-        decimal = Decimal(str(value))
-        usable = decimal.is_finite() and 0 <= decimal <= 1
-    except InvalidOperation:
-        usable = False
-    require(usable, name, 'be a number from 0 to 1', value)
-    return Fraction(decimal)
+def exact_fraction(value: float | Decimal) -> Fraction:
+    """Return the fraction that a decimal means as written: 0.7 is 7/10, not the nearest binary."""
+    return Fraction(Decimal(str(value)))

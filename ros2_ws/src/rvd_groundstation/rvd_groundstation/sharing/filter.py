@@ -1,19 +1,19 @@
 """
-The automatic controller as a filter on the stick: what it says is the command.
+The automatic controller as a filter on the stick: its levels are the command.
 
-For laws that have seen the stick (`uses_stick`) and return the nearest command they hold safe.
-A law that has not seen it leaves the pilot without a say.
+For laws that see the stick (`uses_stick`) and return the nearest command that they consider safe.
+A law that does not see it leaves the pilot without a say.
 """
 
-from dataclasses import dataclass
 from math import nan
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rvd_dynamics.diagram.params import settings
 
-@dataclass(frozen=True)
-class Filter:
+@settings
+class StickFilter:
     """Take the automatic command in place of a blend; it has no settings."""
 
     @property

@@ -8,10 +8,11 @@ from geometry_msgs.msg import Vector3
 from numpy.typing import NDArray
 from std_msgs.msg import Header
 
-from rvd_interfaces.msg import LinkFrame, RelativeState, ThrustCommand
+from rvd_dynamics.constants import NS_PER_S
+from rvd_dynamics.diagram.judge import Judgement
+from rvd_interfaces.msg import LinkFrame, Measure, RelativeState, ThrustCommand, Verdict
 
 NAN = float('nan')
-NS_PER_S = 1_000_000_000
 
 
 def time_at(ns: int) -> Time:
@@ -68,3 +69,9 @@ def levels_of(message: ThrustCommand | None) -> NDArray[np.int8]:
 def empty_frame(step: int) -> LinkFrame:
     """Return the frame that says that nothing was due."""
     return LinkFrame(step=step, sent=-1, arrived=-1, released=-1, empty=True)
+
+
+def verdict_to_msg(header: Header, step: int, final: bool, judged: Judgement) -> Verdict:
+    """Return a Verdict; its way back is `diagram.judge.from_message`."""
+    fields = judged._asdict() | {'measures': [Measure(**m._asdict()) for m in judged.measures]}
+    return Verdict(header=header, step=step, final=final, **fields)

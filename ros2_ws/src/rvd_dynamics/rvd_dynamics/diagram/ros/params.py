@@ -2,20 +2,21 @@
 Parameters of a node from the settings classes: declared once, with meaning and limits.
 """
 
-import sys
+from dataclasses import Field
 from typing import Any
 
-import yaml
-from rcl_interfaces.msg import ParameterDescriptor
-from rclpy.exceptions import InvalidParameterTypeException
+from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor
+from rclpy.exceptions import InvalidParameterTypeException, InvalidParameterValueException
 from rclpy.node import Node
 
-from rvd_dynamics.diagram.params import build, default_of, dotted, leaves
+from rvd_dynamics.diagram.params import build, default_of, leaves
 
 
-def declare(node: Node, settings: type, **wiring: Any) -> Any:
+def declare(node: Node, cls: type, prefix: str = '') -> Any:
     """
-    Declare every parameter of `settings` on `node` and return the settings object.
+    Declare every parameter of the settings class `cls` on `node` and return the settings object.
+
+    `prefix` stands before every key, with its dot.
 
     An integer is accepted where a float is meant (`step_s: 1`), which ROS itself refuses.
 
@@ -25,33 +26,37 @@ def declare(node: Node, settings: type, **wiring: Any) -> Any:
         If a value has the wrong type or is refused by the settings; names key and value.
     """
     values = {}
-    for key, field in leaves(settings):
+    for key, field in leaves(cls):
         default = default_of(field)
         if isinstance(default, tuple):
             default = list(default)
-        descriptor = ParameterDescriptor(
-            description=field.metadata['doc'], dynamic_typing=True, read_only=True)
         try:
-            values[key] = node.declare_parameter(key, default, descriptor).value
+            values[key] = node.declare_parameter(prefix + key, default, descriptor_of(field)).value
+        except InvalidParameterValueException:
+            # Out of range. Taken all the same, for `build` to refuse it in our own words.
+            anything = ParameterDescriptor(dynamic_typing=True, read_only=True)
+            values[key] = node.declare_parameter(prefix + key, default, anything).value
         except InvalidParameterTypeException as error:      # pragma: no cover - dynamic typing
-            raise ValueError(f'{key}: {error}') from None
-    return build(settings, values, **wiring)
+            raise ValueError(f'{prefix}{key}: {error}') from None
+    return build(cls, values, label=prefix)
 
 
-def settings_of(name: str, settings: type) -> Any:
+def descriptor_of(field: Field) -> ParameterDescriptor:
     """
-    Return the settings of another node, from the parameter files that this process was given.
+    Return what `ros2 param describe` shows of a parameter that `leaves` yielded.
 
-    All nodes of a run are given the same file, so what two of them must know stands in it once,
-    in the section of the one that it belongs to. Without a file the defaults count, as they do
-    there; what is set with `-p` on that node's own command line cannot be known here.
+    A number between two bounds gets a range. For all else ROS has no form: choices, open bounds
+    and lists are said in words.
     """
-    given: dict[str, Any] = {}
-    for flag, path in zip(sys.argv, sys.argv[1:]):
-        if flag == '--params-file':
-            with open(path, encoding='utf-8') as file:
-                tree = yaml.safe_load(file) or {}
-            for section in (name, f'/{name}'):
-                given.update(dotted((tree.get(section) or {}).get('ros__parameters') or {}))
-    known = {key for key, _ in leaves(settings)}
-    return build(settings, {key: value for key, value in given.items() if key in known})
+    bounds = field.metadata['bounds']
+    descriptor = ParameterDescriptor(
+        description=field.metadata['doc'], dynamic_typing=True, read_only=True)
+    if not bounds.closed:
+        descriptor.additional_constraints = bounds.meaning
+    elif bounds.kind is int:
+        descriptor.integer_range = [
+            IntegerRange(from_value=int(bounds.low), to_value=int(bounds.high))]
+    else:
+        descriptor.floating_point_range = [
+            FloatingPointRange(from_value=float(bounds.low), to_value=float(bounds.high))]
+    return descriptor

@@ -25,13 +25,13 @@ DIAGNOSTICS = _profile(10, DurabilityPolicy.VOLATILE)
 VIEW = _profile(1, DurabilityPolicy.VOLATILE)
 
 
-def of(topic: str, joy_input: str = 'stepped') -> QoSProfile:
-    """Return the profile that writer and readers of `topic` use."""
+def of(topic: str, held: bool = False) -> QoSProfile:
+    """Return the profile that writer and readers of `topic` use; `held`: of a held stick."""
     if topic == '/clock':
         return CLOCK
     if topic == '/diagnostics':
         return DIAGNOSTICS
-    if topic == '/joy' and joy_input == 'held':
+    if topic == '/joy' and held:
         return HELD_STICK
     if topic in ('/run/events', '/run/ready'):      # many writers, one queue at the reader
         return EVENTS

@@ -1,8 +1,8 @@
 """
-Truth models: how the chaser really moves over one step of the mission.
+Truth models: how the chaser really moves over one step.
 
-Each is a frozen dataclass, made with the mission, with `advance(state, accel)`; to add one,
-write it and list it in TRUTH_MODELS.
+Each is a frozen dataclass, made with the target's orbit and the step, with
+`advance(state, accel)`; to add one, write it and list it in TRUTH_MODELS.
 """
 
 from dataclasses import dataclass
@@ -12,14 +12,15 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rvd_dynamics.mission import Mission
 from rvd_dynamics.motion import cw, two_body
+from rvd_dynamics.motion.orbit import OrbitParams
 
 
 class TruthModel(Protocol):
     """What the world asks of a truth model."""
 
-    mission: Mission
+    orbit: OrbitParams
+    step_s: float
 
     def advance(self, state: ArrayLike, accel: ArrayLike) -> NDArray[np.float64]:
         """Return the state (..., 6) one step on, under `accel` (..., 3) [m/s^2] held over it."""
@@ -29,17 +30,18 @@ class TruthModel(Protocol):
 class Cw:
     """Exact discrete Clohessy-Wiltshire motion."""
 
-    mission: Mission
+    orbit: OrbitParams
+    step_s: float
 
     @cached_property
     def phi(self) -> NDArray[np.float64]:
         """Transition matrix of one step, (6, 6)."""
-        return cw.transition(self.mission.orbit.mean_motion, self.mission.step_s)
+        return cw.transition(self.orbit.mean_motion, self.step_s)
 
     @cached_property
     def gamma(self) -> NDArray[np.float64]:
         """Input matrix of one step, (6, 3)."""
-        return cw.input_matrix(self.mission.orbit.mean_motion, self.mission.step_s)
+        return cw.input_matrix(self.orbit.mean_motion, self.step_s)
 
     def advance(self, state: ArrayLike, accel: ArrayLike) -> NDArray[np.float64]:
         """Return the state (..., 6) one step on, under `accel` (..., 3) [m/s^2] held over it."""
@@ -50,13 +52,13 @@ class Cw:
 class TwoBody:
     """Chaser and target each in the central field of the Moon; see `two_body`."""
 
-    mission: Mission
+    orbit: OrbitParams
+    step_s: float
 
     def advance(self, state: ArrayLike, accel: ArrayLike) -> NDArray[np.float64]:
         """Return the state (..., 6) one step on, under `accel` (..., 3) [m/s^2] held over it."""
-        orbit = self.mission.orbit
-        return two_body.step(state, accel, orbit.mean_motion, orbit.radius_m,
-                             self.mission.step_s)
+        return two_body.step(state, accel, self.orbit.mean_motion, self.orbit.radius_m,
+                             self.step_s)
 
 
 TRUTH_MODELS = {'cw': Cw, 'two_body': TwoBody}

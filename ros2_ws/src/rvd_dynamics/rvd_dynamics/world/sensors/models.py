@@ -7,13 +7,12 @@ in SENSORS.
 Frame, state as `orbit.cw`; unknown is NaN.
 """
 
-from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rvd_dynamics.diagram.params import param, require
+from rvd_dynamics.diagram.params import param, settings
 
 
 class Sensor(Protocol):
@@ -23,7 +22,7 @@ class Sensor(Protocol):
         """Return the measurement (..., 6) of `state` (..., 6); NaN where it is blind."""
 
 
-@dataclass(frozen=True)
+@settings
 class Multiplicative:
     """
     Every component with an error proportional to itself, and without a floor.
@@ -33,11 +32,9 @@ class Multiplicative:
             that, and a filter must not believe it.
     """
 
-    noise_fraction: float = param(0.01, 'Deviation of the error as a fraction of the value.')
-
-    def __post_init__(self) -> None:
-        require(0.0 <= self.noise_fraction < 1.0, 'noise_fraction', 'be 0 up to 1',
-                self.noise_fraction)
+    noise_fraction: float = param(
+        0.01, 'Standard deviation of the error of a component, as a fraction of its value.',
+        low=0.0, below=1.0)
 
     def measure(self, state: ArrayLike, normals: ArrayLike) -> NDArray[np.float64]:
         """Return `state` (..., 6) with noise from standard normal draws (..., 6)."""

@@ -1,0 +1,76 @@
+"""
+Makes what a diagram names: classes by their text, and constructor arguments by their names.
+
+A constructor says with its parameters what it needs, and gets that and nothing else:
+
+    def __init__(self, settings: SensorParams, run: Run, noise, batch) -> None
+"""
+
+import inspect
+from collections.abc import Callable
+from dataclasses import fields, is_dataclass, replace
+from functools import lru_cache
+from importlib import import_module
+from typing import Any
+
+from rvd_dynamics.diagram.params import is_wiring
+
+
+@lru_cache(maxsize=None)
+def loaded(name: str) -> Any:
+    """
+    Return what 'module:NAME' names.
+
+    Raises
+    ------
+    ValueError
+        If the text has not that form, the module cannot be imported or lacks the name; one line.
+    """
+    module, _, attribute = name.partition(':')
+    if not attribute:
+        raise ValueError(f'{name!r} must be of the form module:NAME')
+    try:
+        imported = import_module(module)
+    except (ImportError, SyntaxError) as error:
+        raise ValueError(f'{name} cannot be loaded: {error}') from error
+    try:
+        return getattr(imported, attribute)
+    except AttributeError:
+        raise ValueError(f'module {module} has no {attribute}') from None
+
+
+@lru_cache(maxsize=None)
+def needs(name: str) -> tuple[str, ...]:
+    """Return the names of the parameters of what 'module:NAME' names, without defaults or not."""
+    return tuple(inspect.signature(loaded(name)).parameters)
+
+
+def made(name: str, available: Callable[[str], Any], owner: str) -> Any:
+    """
+    Call what 'module:NAME' names with the arguments that its parameters name.
+
+    Raises
+    ------
+    ValueError
+        If it cannot be loaded or nothing of a name is available; the text names `owner`.
+    """
+    try:
+        wanted = inspect.signature(loaded(name)).parameters.values()
+    except ValueError as error:
+        raise ValueError(f'{owner}: {error}') from error.__cause__
+    arguments = {}
+    for parameter in wanted:
+        try:
+            arguments[parameter.name] = available(parameter.name)
+        except LookupError:
+            if parameter.default is inspect.Parameter.empty:
+                raise ValueError(f'{owner}: {name} needs {parameter.name!r}, which neither the '
+                                 'scenario nor the mission has') from None
+    return loaded(name)(**arguments)
+
+
+def wired(part: Any, available: Callable[[str], Any]) -> Any:
+    """Return a settings object with its fields that are no parameters filled in by name."""
+    if not is_dataclass(part):
+        return part
+    return replace(part, **{f.name: available(f.name) for f in fields(part) if is_wiring(f)})

@@ -1,0 +1,24 @@
+"""
+Control of a run under way: the mode, and an abort.
+
+In a graph it comes from the service `/run/control`; in one process from a schedule.
+"""
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+
+class Control(NamedTuple):
+    """What has been asked for by a step."""
+
+    mode: str = ''                      # empty where the mission has no modes
+    abort: bool = False
+
+
+@dataclass(frozen=True)
+class Change:
+    """A change of control that takes effect in `step`."""
+
+    step: int
+    mode: str = ''                      # empty: as before
+    abort: bool = False

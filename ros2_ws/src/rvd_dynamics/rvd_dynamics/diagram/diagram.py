@@ -1,0 +1,212 @@
+"""
+A diagram: the blocks and signals of one run, checked.
+
+It is the only place where the data flow is written. The loop in one process, the wiring of the
+executables, their start-up barrier, the list of processes, the recorder's topics and the random
+streams are all read from it.
+
+Rules   every signal has one writer; a cycle has a delay in it; a truth signal is written by the
+        world and read by the world and the watchers alone; nothing passes between the craft and
+        the ground but through a leg of the link; the guard is the only writer of the thrust
+        command; what a slower block writes is read with a delay of at least one step.
+"""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from rvd_dynamics.diagram.block import (
+    Block, External, GROUND, Leg, LINK, ONBOARD, Read, SEES_TRUTH, SEGMENTS, WATCH, WORLD)
+from rvd_dynamics.diagram.signal import Signal
+
+GROUPINGS = ('blocks', 'segments', 'one')
+# Segment of a reader: segments whose signals it may read.
+MAY_READ = {
+    WORLD: (WORLD, ONBOARD),
+    ONBOARD: (WORLD, ONBOARD, LINK),
+    LINK: (WORLD, ONBOARD, GROUND),
+    GROUND: (LINK, GROUND),
+    WATCH: SEGMENTS,
+}
+
+
+class DiagramError(ValueError):
+    """A diagram that breaks a rule; the text is one line that names block, signal and rule."""
+
+
+@dataclass(frozen=True)
+class Diagram:
+    """
+    Blocks of one run.
+
+    Attributes
+    ----------
+    blocks : tuple of Block
+    plant : str
+        Block that is the true motion; one of its signals has a part `final`, true at the last
+        step of a run.
+    guard : str
+        Block that has the last word about thrust.
+    thrust : str
+        Signal that acts on the craft.
+    externals : tuple of External
+        Other nodes that may take part.
+    """
+
+    blocks: tuple[Block, ...]
+    plant: str
+    guard: str
+    thrust: str
+    externals: tuple[External, ...] = ()
+
+    def __post_init__(self) -> None:
+        self._check_names()
+        self._check_writers()
+        self._check_reads()
+        self._check_thrust()
+        self.order                              # refuses a cycle without delay
+
+    # -- look-up ----------------------------------------------------------------------------
+
+    @cached_property
+    def by_name(self) -> dict[str, Block]:
+        """Blocks by name."""
+        return {block.name: block for block in self.blocks}
+
+    @cached_property
+    def writer_of(self) -> dict[str, Block]:
+        """Block that writes each signal, by the signal's name."""
+        return {signal.name: block for block in self.blocks for signal in block.writes.values()}
+
+    @cached_property
+    def signals(self) -> dict[str, Signal]:
+        """Signals by name."""
+        return {signal.name: signal for block in self.blocks for signal in block.writes.values()}
+
+    @cached_property
+    def truth(self) -> Signal:
+        """The plant's signal with the part `final`."""
+        return next(signal for signal in self.by_name[self.plant].writes.values()
+                    if any(part.name == 'final' for part in signal.parts))
+
+    @cached_property
+    def order(self) -> tuple[Block, ...]:
+        """The blocks so that each comes after those whose present output it reads."""
+        done: dict[str, Block] = {}
+        for block in self.blocks:
+            self._visit(block, [], done)
+        return tuple(done.values())
+
+    def _visit(self, block: Block, path: list[str], done: dict[str, Block]) -> None:
+        if block.name in done:
+            return
+        if block.name in path:
+            cycle = [*path[path.index(block.name):], block.name]
+            raise DiagramError(f'blocks {" -> ".join(cycle)} wait for each other: a cycle needs a '
+                               'delay of at least one step')
+        for read in block.reads.values():
+            if read.delay == 0 and not read.held and read.signal.name in self.writer_of:
+                self._visit(self.writer_of[read.signal.name], [*path, block.name], done)
+        done[block.name] = block
+
+    def readers_of(self, signal: str) -> list[Block]:
+        """Return the blocks that read a signal."""
+        return [block for block in self.blocks
+                if any(read.signal.name == signal for read in block.reads.values())]
+
+    # -- rules ------------------------------------------------------------------------------
+
+    def _check_names(self) -> None:
+        names = [part.name for part in (*self.blocks, *self.externals)]
+        for name in names:
+            if names.count(name) > 1:
+                raise DiagramError(f'block {name} is declared twice: names are unique')
+        for role in ('plant', 'guard'):
+            if getattr(self, role) not in self.by_name:
+                raise DiagramError(f'the {role} must be one of the blocks '
+                                   f'{", ".join(self.by_name)}, got {getattr(self, role)!r}')
+
+    def _check_writers(self) -> None:
+        writers: dict[str, Block] = {}
+        for block in self.blocks:
+            for signal in block.writes.values():
+                other = writers.setdefault(signal.name, block)
+                if other is not block:
+                    raise DiagramError(f'block {block.name} writes {signal.name}, which '
+                                       f'{other.name} writes too: a signal has one writer')
+                if signal.truth and block.segment != WORLD:
+                    raise DiagramError(f'block {block.name} of segment {block.segment} writes '
+                                       f'{signal.name}: truth is written by the world')
+        if not any(part.name == 'final' for signal in self.by_name[self.plant].writes.values()
+                   for part in signal.parts):
+            raise DiagramError(f'block {self.plant} is the plant, but no signal of it has a part '
+                               'final: the plant says when a run ends')
+
+    def _check_reads(self) -> None:
+        outside = {topic for external in self.externals for topic in external.writes}
+        for block in self.blocks:
+            if block.in_graph and not any(not read.held for read in block.reads.values()):
+                raise DiagramError(f'block {block.name} reads nothing that makes it fire: a block '
+                                   'fires when its inputs are complete')
+            for argument, read in block.reads.items():
+                signal = read.signal
+                writer = self.writer_of.get(signal.name)
+                if writer is None:
+                    if signal.name in outside:
+                        continue
+                    raise DiagramError(f'block {block.name} reads {signal.name} as {argument}, '
+                                       'which nobody writes: a signal has one writer')
+                self._check_read(block, read, writer)
+
+    def _check_read(self, block: Block, read: Read, writer: Block) -> None:
+        name = read.signal.name
+        if self.signals[name].parts != read.signal.parts:
+            raise DiagramError(f'block {block.name} reads {name} with another layout than '
+                               f'{writer.name} writes: a signal has one layout')
+        if read.signal.truth and block.segment not in SEES_TRUTH:
+            raise DiagramError(f'block {block.name} of segment {block.segment} reads {name}: truth '
+                               'is for the world and the watchers alone')
+        if writer.segment not in MAY_READ[block.segment]:
+            raise DiagramError(f'block {block.name} of segment {block.segment} reads {name} of '
+                               f'segment {writer.segment}: only a leg of the link joins them')
+        if writer.period > block.period and read.delay < 1:
+            raise DiagramError(f'block {block.name} (period {block.period}) reads {name} of '
+                               f'{writer.name} (period {writer.period}) without delay: what a '
+                               'slower block writes is read at least one step later')
+
+    def _check_thrust(self) -> None:
+        writer = self.writer_of.get(self.thrust)
+        if writer is None or writer.name != self.guard:
+            raise DiagramError(f'{self.thrust} is written by {writer.name if writer else "nobody"}: '
+                               f'the guard {self.guard} is the only writer of thrust')
+
+    # -- processes --------------------------------------------------------------------------
+
+    def groups(self, processes: str) -> dict[str, tuple[Block, ...]]:
+        """
+        Return which blocks share a process, by the name of the process.
+
+        Raises
+        ------
+        ValueError
+            If the grouping is not one of GROUPINGS.
+        """
+        nodes = [block for block in self.order if block.in_graph]
+        if processes == 'blocks':
+            return {block.name: (block,) for block in nodes}
+        if processes == 'segments':
+            return {segment: tuple(b for b in nodes if b.segment == segment)
+                    for segment in SEGMENTS if any(b.segment == segment for b in nodes)}
+        if processes == 'one':
+            return {'one': tuple(nodes)}
+        raise ValueError(f'processes must be one of {", ".join(GROUPINGS)}, got {processes!r}')
+
+    def legs(self) -> Iterator[Leg]:
+        """Yield the legs of the link."""
+        return (block for block in self.blocks if isinstance(block, Leg))
+
+    def without(self, names: Iterable[str]) -> 'Diagram':
+        """Return the diagram less some watchers."""
+        gone = set(names)
+        return Diagram(tuple(b for b in self.blocks if b.name not in gone), self.plant, self.guard,
+                       self.thrust, tuple(e for e in self.externals if e.name not in gone))

@@ -1,0 +1,318 @@
+"""
+A diagram in one process: N runs at once, one row each.
+
+It calls the blocks in the order of the diagram, so that a row is equal to the bit to the same run
+over DDS, alone or in any batch. A row ends at the first step that the plant calls final; it is
+carried along until the last one has ended, and no longer counts. Before the first firing of its
+writer, a signal has its initial value.
+
+Control, which in a graph comes from `/run/control`, comes from a schedule here.
+"""
+
+from collections import deque
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rvd_dynamics.diagram.block import Block
+from rvd_dynamics.diagram.build import made
+from rvd_dynamics.diagram.control import Change, Control
+from rvd_dynamics.diagram.diagram import DiagramError
+from rvd_dynamics.diagram.scenario import Scenario
+from rvd_dynamics.diagram.signal import Signal
+
+COLUMNS = 'columns'             # the block that makes the mission's own columns of a table
+
+
+@dataclass(frozen=True)
+class Draws:
+    """All chance of N runs, whatever is flown with it."""
+
+    key: tuple                          # what the draws depend on
+    steps: int
+    of: dict[tuple[str, str], Any]      # by block and the name it uses
+
+
+@dataclass(frozen=True)
+class Batch:
+    """N flown runs."""
+
+    runs: NDArray[np.int64]             # (N,) numbers of the runs
+    end_step: NDArray[np.int64]         # (N,) step of the last truth
+    verdict: Any                        # the judge's, fields (N,)
+    columns: dict[str, NDArray]         # the mission's own, (N,)
+    history: dict[str, Any] | None      # by signal: its value with (steps, N, ...), when recorded
+
+
+def fly(scenario: Scenario, runs: Sequence[int], record: bool | Sequence[str] = False,
+        draws: Draws | None = None, schedule: Sequence[Change] = ()) -> Batch:
+    """
+    Fly runs to their end.
+
+    Parameters
+    ----------
+    scenario : Scenario
+        Its seed counts, its run number does not.
+    runs : sequence of int
+        Numbers of the runs; each is the same whichever others fly with it.
+    record : bool or sequence of str
+        Keep the history of all signals, or of these (0.3 kB per step and run: leave it out of
+        campaigns). 'NAME.PART' asks for an optional part.
+    draws : Draws, optional
+        What `draw` returned for these runs. Drawing takes more time than flying, and conditions
+        that share seed, links and time grid share the draws.
+    schedule : sequence of Change
+        Changes of mode, and an abort.
+
+    Returns
+    -------
+    Batch
+
+    Raises
+    ------
+    ValueError
+        If there is no run, `draws` are of other runs or settings, or a block returns something
+        of the wrong form.
+    """
+    if len(runs) == 0:
+        raise ValueError('runs must name at least one run, got none')
+    if draws is None or record:                     # a history is of whole runs
+        draws = draw(scenario, runs, whole=bool(record))
+    if draws.key != draws_key(scenario, runs):
+        raise ValueError('draws are of other runs, seed, links, delays or time grid')
+    loop = Loop(scenario, runs, draws, record, schedule)
+    for step in range(draws.steps):
+        loop.advance(step)
+        if loop.ended.all():
+            break
+    batch = loop.result()
+    return batch if loop.ended.all() else _with_late_ones(scenario, batch, loop.ended, schedule)
+
+
+def _with_late_ones(scenario: Scenario, batch: Batch, ended: NDArray[np.bool_],
+                    schedule: Sequence[Change]) -> Batch:
+    """Fly again, with all the draws there are, the few runs that outlast the usual ones."""
+    late = np.flatnonzero(~ended)
+    runs = batch.runs[late].tolist()
+    whole = fly(scenario, runs, draws=draw(scenario, runs, whole=True), schedule=schedule)
+
+    def merged(mine: Any, theirs: Any) -> Any:
+        if isinstance(mine, dict):
+            return {name: merged(mine[name], theirs[name]) for name in mine}
+        if isinstance(mine, tuple):
+            return type(mine)(*map(merged, mine, theirs))
+        mine = mine.astype(np.result_type(mine, theirs))    # the longest reason is the widest
+        mine[late] = theirs
+        return mine
+
+    return Batch(batch.runs, merged(batch.end_step, whole.end_step),
+                 merged(batch.verdict, whole.verdict), merged(batch.columns, whole.columns), None)
+
+
+# -- chance ----------------------------------------------------------------------------------
+
+def draw(scenario: Scenario, runs: Sequence[int], whole: bool = False) -> Draws:
+    """
+    Draw what every block will use in runs; see `fly`.
+
+    Enough for the steps that few runs outlast; `whole` for all that a run may take. The shorter
+    blocks are the beginning of the longer ones.
+    """
+    steps = scenario.run.last_step + 1
+    if not whole and scenario.mission.usual_steps:
+        steps = min(steps, made(scenario.mission.usual_steps, scenario.part, 'usual_steps'))
+    seed = scenario.run.seed
+    return Draws(draws_key(scenario, runs), steps, {
+        (block.name, name): wanted.of_runs(seed, runs, steps)
+        for block in scenario.diagram.blocks for name, wanted in block.draws.items()})
+
+
+def draws_key(scenario: Scenario, runs: Sequence[int]) -> tuple:
+    """Return what must be equal for scenarios to share the draws of runs."""
+    run = scenario.run
+    return (tuple(runs), scenario.mission.name, run.seed, run.last_step, run.step_ns,
+            tuple((block.name, *item) for block in scenario.diagram.blocks
+                  for item in block.draws.items()))
+
+
+# -- the loop --------------------------------------------------------------------------------
+
+@dataclass(slots=True)
+class _Slot:
+    """A signal under way: its newest value, and as many before as somebody reads."""
+
+    signal: Any
+    depth: int = 0
+    value: Any = None
+    before: deque = field(default_factory=deque)
+
+
+class Loop:
+    """The blocks of a scenario and what is on its way between them."""
+
+    def __init__(self, scenario: Scenario, runs: Sequence[int], draws: Draws,
+                 record: bool | Sequence[str], schedule: Sequence[Change]) -> None:
+        self._batch = (len(runs),)
+        self._runs = np.asarray(runs, dtype=np.int64)
+        self._scenario, self._diagram = scenario, scenario.diagram
+        self._record = _recorded(self._diagram, record)
+        self._schedule = {change.step: change for change in schedule}
+        self._control = Control(*_mode_of(scenario))
+        self._aborts = min((c.step for c in schedule if c.abort), default=None)
+        self._slots = {name: _Slot(signal) for name, signal in self._diagram.signals.items()}
+        for block in self._diagram.blocks:
+            for read in block.reads.values():
+                slot = self._slots[read.signal.name]
+                slot.depth = max(slot.depth, read.delay)
+        for slot in self._slots.values():
+            slot.value = slot.signal.initial(self._batch)
+            slot.before = deque([slot.value]*slot.depth, maxlen=slot.depth)
+        self._blocks = {block.name: self._made(block, runs, draws) for block in self._diagram.order}
+        self._plan = [self._planned(block) for block in self._diagram.order]
+        self._delayed = [slot for slot in self._slots.values() if slot.depth]
+        self.judge = made(scenario.mission.judge, self._available({}), 'judge')
+        self._truth = self._slots[self._diagram.truth.name]
+        self.ended = np.zeros(len(runs), dtype=bool)
+        self.end_step = np.full(len(runs), -1, dtype=np.int64)
+        self._history: dict[str, list] = {name: [] for name in self._record}
+
+    def _made(self, block: Block, runs: Sequence[int], draws: Draws) -> Any:
+        own = {name: draws.of[block.name, name] for name in block.draws}
+        own |= {'runs': runs, 'steps': draws.steps, 'block': block, 'abort_step': self._aborts,
+                'wanted': wanted(self._diagram, block, self._record)}
+        if block.settings:
+            own['settings'] = self._scenario.settings(block.section)
+        return made(block.make, self._available(own), f'block {block.name}')
+
+    def _available(self, own: dict[str, Any]) -> Any:
+        own = {'batch': self._batch, **own}
+
+        def available(name: str) -> Any:
+            return own[name] if name in own else self._scenario.part(name)
+        return available
+
+    def _planned(self, block: Block) -> tuple:
+        """Return what `advance` needs of a block: a step of all blocks takes 30 us this way."""
+        present = [(argument, self._slots[read.signal.name])
+                   for argument, read in block.reads.items() if not read.delay]
+        past = [(argument, self._slots[read.signal.name].before, -read.delay)
+                for argument, read in block.reads.items() if read.delay]
+        outputs = [(name, self._slots[signal.name]) for name, signal in block.writes.items()]
+        return block, self._blocks[block.name].step, block.period, present, past, outputs
+
+    def advance(self, step: int) -> None:
+        """Do everything that happens in one step."""
+        change = self._schedule.get(step)
+        if change is not None:
+            self._control = Control(change.mode or self._control.mode,
+                                    change.abort or self._control.abort)
+        for block, fire, period, present, past, outputs in self._plan:
+            if step % period:
+                continue
+            given = {}
+            for argument, slot in present:
+                given[argument] = slot.value
+            for argument, before, back in past:
+                given[argument] = before[back]
+            if block.control:
+                given['control'] = self._control
+            made_now = fire(step, **given)
+            if step == 0:
+                self._check(block, made_now)
+            for name, slot in outputs:
+                if name in made_now:
+                    slot.value = made_now[name]
+        for slot in self._delayed:
+            slot.before.append(slot.value)
+        for name, kept in self._history.items():
+            kept.append(self._slots[name].value)
+        self.judge.follow(step, self._truth.value)
+        final = self._truth.value.final
+        if np.count_nonzero(final):
+            self.end_step[final & ~self.ended] = step
+            self.ended |= final
+
+    def _check(self, block: Block, outputs: Any) -> None:
+        """Refuse outputs that have not the form of their signals."""
+        if not isinstance(outputs, dict):
+            raise DiagramError(f'block {block.name}: step must return a value for each output by '
+                               f'name, got {type(outputs).__name__}')
+        for name, value in outputs.items():
+            signal = block.writes.get(name)
+            if signal is None:
+                raise DiagramError(f'block {block.name} returns {name!r}, which it does not write; '
+                                   f'it writes {", ".join(block.writes) or "nothing"}')
+            complaint = signal.complaint(value, self._batch)
+            if complaint:
+                raise DiagramError(f'block {block.name} writes {signal.name}: {complaint}')
+
+    def result(self) -> Batch:
+        """Return what has been flown."""
+        columns = {}
+        if COLUMNS in self._blocks:
+            columns = self._blocks[COLUMNS].table(self.judge, self.end_step)
+        history = None
+        if self._record:
+            history = {name: _stacked(self._slots[name].signal, values, self.end_step, self._batch)
+                       for name, values in self._history.items()}
+        return Batch(self._runs, self.end_step, self.judge.verdict(), columns, history)
+
+
+def _mode_of(scenario: Scenario) -> tuple[str]:
+    """Return the mode with which a run begins, where the mission has modes."""
+    return (scenario.part('operation').mode,) if scenario.has_shared('mode') else ('',)
+
+
+def _recorded(diagram: Any, record: bool | Sequence[str]) -> dict[str, frozenset[str]]:
+    """Return the signals to keep, with the optional parts that are asked for."""
+    if not record:
+        return {}
+    names = list(diagram.signals) if record is True else list(record)
+    kept: dict[str, frozenset[str]] = {}
+    for name in names:
+        signal, _, part = name.partition('.')
+        if signal not in diagram.signals:
+            raise ValueError(f'no signal {signal} to record; there are: '
+                             f'{", ".join(diagram.signals)}')
+        kept[signal] = kept.get(signal, frozenset()) | ({part} if part else frozenset())
+    return kept
+
+
+def wanted(diagram: Any, block: Block, record: dict[str, frozenset[str]]) -> frozenset[str]:
+    """Return the outputs of a block that are read or recorded, and 'output.part' likewise."""
+    found = set()
+    for name, signal in block.writes.items():
+        readers = [read for other in diagram.blocks for read in other.reads.values()
+                   if read.signal.name == signal.name]
+        if readers or signal.name in record:
+            found.add(name)
+        parts = {part for read in readers for part in read.optional} | record.get(
+            signal.name, frozenset())
+        found |= {f'{name}.{part}' for part in parts}
+    return frozenset(found)
+
+
+def everything(block: Block) -> frozenset[str]:
+    """Return all outputs of a block and all their parts: what a graph publishes."""
+    return frozenset(block.writes) | {f'{name}.{part.name}' for name, signal in
+                                      block.writes.items() for part in signal.parts}
+
+
+def _stacked(signal: Signal, values: list, end_step: NDArray[np.int64], batch: tuple) -> Any:
+    """Stack the values of the steps, and blank what lies after the end of each run."""
+    after = np.arange(len(values))[:, None] > end_step
+    made_of = {}
+    for part in signal.parts:
+        column = [getattr(value, part.name) for value in values]
+        if part.dtype == 'O' or any(v is None for v in column):
+            made_of[part.name] = None
+            continue
+        whole = np.empty((len(values), *batch, *part.shape), dtype=part.dtype)
+        for at, v in zip(whole, column):
+            at[...] = v if np.ndim(v) > len(part.shape) else np.broadcast_to(v, at.shape)
+        whole[after] = np.nan if whole.dtype.kind == 'f' else 0
+        made_of[part.name] = whole
+    return signal.type(**made_of)

@@ -1,0 +1,105 @@
+"""
+The command line of a node process, as ROS 2 writes it: parameter files, overrides, the name.
+
+Every process of a run is given the same parameter file and reads the scenario from it, whole:
+what two nodes must know stands in it once. rclpy reads the same arguments for the parameters that
+it serves.
+"""
+
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from rvd_dynamics.diagram import scenario as scenarios
+from rvd_dynamics.diagram.params import dotted
+from rvd_dynamics.diagram.scenario import check_keys, Scenario, SHARED
+
+OF_THE_PROCESS = ('group',)             # parameters that are no part of the scenario
+
+
+@dataclass(frozen=True)
+class Arguments:
+    """What a process was told."""
+
+    executable: str                     # name under which it was started
+    name: str                           # of the node; the executable's unless remapped
+    files: tuple[Path, ...] = ()
+    overrides: tuple[tuple[str, str, Any], ...] = ()        # node or '', key, value
+    process: dict[str, Any] = field(default_factory=dict)   # OF_THE_PROCESS
+
+    def scenario(self) -> Scenario:
+        """
+        Return the scenario of the run; only what is asked for of it is built and checked.
+
+        Raises
+        ------
+        ValueError
+            If a file cannot be read or a key that this process knows is wrong.
+        """
+        tree: dict[str, dict[str, Any]] = {}
+        for file in self.files:
+            text = scenarios.text_of(file, 'parameter file')
+            for section, body in scenarios.mapping_of(text, str(file)).items():
+                values = body.get('ros__parameters') if isinstance(body, dict) else None
+                tree.setdefault(str(section).lstrip('/') if section != SHARED else SHARED,
+                                {}).update(dotted(values or {}))
+        shared = tree.setdefault(SHARED, {})
+        named = next((value for node, key, value in self.overrides if key == 'mission'), None)
+        mission = scenarios.mission_of(
+            {SHARED: {'ros__parameters': {**shared, **({'mission': named} if named else {})}}},
+            self._title())
+        sections = {section: values for section, values in tree.items()
+                    if section == SHARED or section in mission.sections}
+        made = Scenario(self._title(), mission, sections)
+        for node, key, value in self.overrides:
+            section = self._section(made, node, key)
+            check_keys(made.name, mission, section, {key: value})
+            sections.setdefault(section, {})[key] = value
+        for section in {SHARED, self.name} & set(sections):
+            check_keys(made.name, mission, section, sections[section])
+        return Scenario(self._title(), mission, sections)
+
+    def _section(self, scenario: Scenario, node: str, key: str) -> str:
+        """Return the section that an override without a node's name means."""
+        if node:
+            return node
+        own = self.name in scenario.mission.sections
+        return self.name if own and scenario.has_key(self.name, key) else SHARED
+
+    def _title(self) -> str:
+        return self.files[0].stem if self.files else 'default'
+
+    def text(self) -> str:
+        """Return the text of the first parameter file, empty when there is none."""
+        return self.files[0].read_text(encoding='utf-8') if self.files else ''
+
+
+def parsed(argv: list[str]) -> Arguments:
+    """
+    Return what a command line says.
+
+    Raises
+    ------
+    ValueError
+        If an override has not the form NAME:=VALUE.
+    """
+    executable = argv[0].rsplit('/', 1)[-1].removesuffix('.py')
+    name, files, overrides, process = executable, [], [], {}
+    for flag, word in zip(argv[1:], argv[2:]):
+        if flag == '--params-file':
+            files.append(Path(word))
+        elif flag in ('-r', '--remap') and word.split(':=')[0].endswith('__node'):
+            name = word.split(':=', 1)[1]
+        elif flag in ('-p', '--param'):
+            key, found, value = word.partition(':=')
+            if not found:
+                raise ValueError(f'{flag} must be followed by NAME:=VALUE, got {word!r}')
+            node, _, key = key.rpartition(':')
+            given = yaml.safe_load(value)
+            if key in OF_THE_PROCESS:
+                process[key] = given
+            else:
+                overrides.append((node, key, given))
+    return Arguments(executable, name, tuple(files), tuple(overrides), process)

@@ -1,0 +1,384 @@
+"""
+Codecs: between the value of a signal and its message; a graph only.
+
+A codec is made with what its constructor names (`diagram.build`), besides `signal`, `run` and
+`event`, with which it may say that something happened. Its methods are `encode(k, value)`, which
+returns the serialised message, or a message object, and `decode(k, message)` with `missing(k)`,
+what a reader gets when nothing came. Within a process the value itself passes by hand, as `wired`
+returns it: equal to what another process would decode.
+"""
+
+from collections.abc import Callable
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+import numpy as np
+from sensor_msgs.msg import Joy
+
+from rvd_dynamics.commands import codes
+from rvd_dynamics.commands.form import CommandForm
+from rvd_dynamics.commands.levels import HIGHEST, stick_axes, stick_levels, StickParams
+from rvd_dynamics.constants import NS_PER_S
+from rvd_dynamics.diagram.ros.conversions import header_at, NAN, state_from_msg
+from rvd_dynamics.diagram.ros.wire import Layout
+from rvd_dynamics.diagram.run import Legs, Run
+from rvd_dynamics.diagram.signal import Signal
+from rvd_dynamics.link.frame import Downlink as Measured
+from rvd_dynamics.link.frame import pack_command, pack_downlink, Refusal, unpack_downlink
+from rvd_dynamics.onboard.guard.gate import Gate
+from rvd_interfaces.msg import LinkFrame, PredictionScore, RelativeState, ThrustCommand, Values
+
+Event = Callable[[str, str], None]
+REFUSALS = frozenset(Refusal)
+UNKNOWN = (NAN, NAN, NAN)
+NO_COVARIANCE = (NAN, *(0.0,) * 35)
+
+
+class FrameOfLink(NamedTuple):
+    """A LinkFrame that passes by hand; the fields of the message."""
+
+    step: int
+    sequence: int = 0
+    sent: int = -1
+    arrived: int = -1
+    released: int = -1
+    empty: bool = False
+    expedited: bool = False
+    payload: bytes = b''
+
+    def serialised(self) -> bytes:
+        """Return the message as bytes."""
+        return _frame_layout(len(self.payload)).pack(*self)
+
+
+@lru_cache(maxsize=64)
+def _frame_layout(size: int) -> Layout:
+    return Layout(LinkFrame, sizes={'payload': size})
+
+
+class Codec:
+    """What codecs have in common."""
+
+    frames = False                              # what passes by hand is a FrameOfLink, not a value
+
+    def __init__(self, signal: Signal, run: Run) -> None:
+        self.signal, self.run = signal, run
+        self.initial = signal.initial(())
+
+    def stamp_ns(self, k: int) -> int:
+        """Return the instant that the content of step k is valid for [ns]."""
+        return max(k + self.signal.ahead, 0) * self.run.step_ns
+
+    def stamp(self, k: int) -> tuple[int, int]:
+        """Return that instant as seconds and nanoseconds."""
+        return divmod(self.stamp_ns(k), NS_PER_S)
+
+    def laid_out(self, kind: type, **sizes: int) -> Layout:
+        """Return the layout of messages with a header in the run's frame."""
+        return Layout(kind, {'header.frame_id': self.run.frame_id}, sizes)
+
+    def wired(self, value: Any) -> Any:
+        """Return what a reader in the same process gets."""
+        return value
+
+    def missing(self, k: int) -> Any:
+        """Return what a reader gets when no message came in time."""
+        return self.initial
+
+
+class Parts(Codec):
+    """Any signal as `Values`: its parts one after the other, as numbers."""
+
+    def __init__(self, signal: Signal, run: Run) -> None:
+        super().__init__(signal, run)
+        self._layout = ', '.join(
+            f'{part.name}[{",".join(map(str, part.shape))}]' if part.shape else part.name
+            for part in signal.parts)
+        self._starts = [part.filled(()) for part in signal.parts]
+
+    def encode(self, k: int, value: Any) -> Values:
+        """Return the message of a value."""
+        numbers = np.concatenate([np.ravel(part).astype(float) for part in self.wired(value)])
+        return Values(header=header_at(self.stamp_ns(k), self.run.frame_id), step=k,
+                      layout=self._layout, values=numbers)
+
+    def wired(self, value: Any) -> Any:
+        """Return what a reader gets: parts of the declared types, also those left out."""
+        return self.signal.type(*(
+            start if given is None else np.asarray(given, dtype=start.dtype)
+            for start, given in zip(self._starts, value)))
+
+    def decode(self, k: int, message: Values) -> Any:
+        """Return the value in a message; ValueError if it is of another layout."""
+        if message.layout != self._layout:
+            raise ValueError(f'{self.signal.name} must hold {self._layout}, got {message.layout}')
+        made, at = [], 0
+        for part in self.signal.parts:
+            size = int(np.prod(part.shape, dtype=int))
+            made.append(np.asarray(message.values[at:at + size]).reshape(part.shape).astype(
+                part.dtype))
+            at += size
+        return self.signal.type(*made)
+
+
+# -- states ------------------------------------------------------------------------------------
+
+class _State(Codec):
+    """A relative state as RelativeState."""
+
+    source = RelativeState.SOURCE_TRUTH
+
+    def __init__(self, signal: Signal, run: Run) -> None:
+        super().__init__(signal, run)
+        self._layout = self.laid_out(RelativeState)
+
+    def packed(self, k: int, state: Any, valid: bool, final: bool = False,
+               acceleration: Any = UNKNOWN, covariance: Any = None) -> bytes:
+        """Return the serialised message."""
+        spread = NO_COVARIANCE if covariance is None else covariance.ravel().tolist()
+        return self._layout.pack(*self.stamp(k), k, self.source, valid, final, *state.tolist(),
+                                 *acceleration, *spread)
+
+
+class Truth(_State):
+    """The true state."""
+
+    def encode(self, k: int, value: Any) -> bytes:
+        """Return the serialised message of a value."""
+        return self.packed(k, value.state, bool(np.isfinite(value.state).all()),
+                           bool(value.final), value.acceleration.tolist())
+
+    def decode(self, k: int, message: RelativeState) -> Any:
+        """Return the value in a message."""
+        a = message.acceleration
+        return self.signal(state=state_from_msg(message), acceleration=np.array((a.x, a.y, a.z)),
+                           final=np.bool_(message.final))
+
+
+class Measurement(_State):
+    """A sensor's sample."""
+
+    source = RelativeState.SOURCE_MEASUREMENT
+
+    def encode(self, k: int, value: Any) -> bytes:
+        """Return the serialised message of a value."""
+        return self.packed(k, value.state, bool(np.isfinite(value.state).all()))
+
+    def decode(self, k: int, message: RelativeState) -> Any:
+        """Return the value in a message."""
+        return self.signal(state=state_from_msg(message))
+
+
+class Estimate(_State):
+    """A state that somebody believes in, with its covariance."""
+
+    source = RelativeState.SOURCE_ESTIMATE
+
+    def encode(self, k: int, value: Any) -> bytes:
+        """Return the serialised message of a value."""
+        return self.packed(k, value.state, bool(value.valid), covariance=value.covariance)
+
+    def decode(self, k: int, message: RelativeState) -> Any:
+        """Return the value in a message, without the covariance, which no block reads."""
+        return self.signal(state=state_from_msg(message), valid=np.bool_(message.valid))
+
+
+class Prediction(Estimate):
+    """An estimate carried across the loop."""
+
+    source = RelativeState.SOURCE_PREDICTION
+
+
+class Score(Codec):
+    """A prediction held against what came down later, as PredictionScore."""
+
+    def __init__(self, signal: Signal, run: Run) -> None:
+        super().__init__(signal, run)
+        self._layout = self.laid_out(PredictionScore)
+
+    def encode(self, k: int, value: Any) -> bytes:
+        """Return the serialised message of a value."""
+        return self._layout.pack(
+            *self.stamp(k), k, bool(value.valid), *value.error.tolist(), *value.sigma.tolist(),
+            int(value.scored), *value.rms.tolist())
+
+
+# -- commands ----------------------------------------------------------------------------------
+
+class Stick(Codec):
+    """
+    Levels as `sensor_msgs/Joy`, by the axes and buttons of the stick's settings.
+
+    A Joy has no step: its stamp is the step's instant. What a tape holds goes out as it is.
+    """
+
+    def __init__(self, signal: Signal, run: Run, stick: StickParams) -> None:
+        super().__init__(signal, run)
+        self._stick = stick
+
+    def encode(self, k: int, value: Any) -> bytes:
+        """Return the serialised message of a value."""
+        axes, buttons = value.raw or stick_axes(
+            [level / HIGHEST for level in value.command.tolist()], True, self._stick)
+        return _stick_layout(len(axes), len(buttons)).pack(
+            *divmod(k * self.run.step_ns, NS_PER_S), *axes, *buttons)
+
+    def decode(self, k: int, message: Joy) -> Any:
+        """Return the value in a message."""
+        levels, valid = stick_levels(message.axes, message.buttons, self._stick)
+        return self.signal(command=levels, valid=np.bool_(valid))
+
+
+@lru_cache(maxsize=16)
+def _stick_layout(axes: int, buttons: int) -> Layout:
+    return Layout(Joy, {'header.frame_id': 'joy'}, {'axes': axes, 'buttons': buttons})
+
+
+class _Command(Codec):
+    """Levels as ThrustCommand."""
+
+    def __init__(self, signal: Signal, run: Run) -> None:
+        super().__init__(signal, run)
+        self._layout = self.laid_out(ThrustCommand)
+
+    def packed(self, k: int, sequence: int, kind: int, levels: Any, valid: bool, decided_by: int,
+               pilot_weight: float, reason: int) -> bytes:
+        """Return the serialised message."""
+        return self._layout.pack(*self.stamp(k), k, sequence, kind, *levels.tolist(), valid,
+                                 decided_by, pilot_weight, reason)
+
+
+class Automatic(_Command):
+    """What the law commands."""
+
+    def encode(self, k: int, value: Any) -> bytes:
+        """Return the serialised message of a value."""
+        valid = bool(value.valid)
+        return self.packed(k, 0, codes.KIND_THRUST, value.command, valid,
+                           codes.BY_AUTO if valid else codes.BY_NOBODY, NAN,
+                           codes.REASON_NONE if valid else codes.REASON_MISSING)
+
+    def decode(self, k: int, message: ThrustCommand) -> Any:
+        """Return the value in a message."""
+        return self.signal(command=np.array(message.levels, dtype=np.int8),
+                           valid=np.bool_(message.valid))
+
+
+class Ground(_Command):
+    """The command of the ground."""
+
+    def encode(self, k: int, value: Any) -> bytes:
+        """Return the serialised message of a value."""
+        return self.packed(k, k + 1, int(value.kind), value.command, True, int(value.decided_by),
+                           float(value.pilot_weight), int(value.reason))
+
+    def decode(self, k: int, message: ThrustCommand) -> Any:
+        """Return the value in a message."""
+        return self.signal(
+            command=np.array(message.levels, dtype=np.int8), kind=np.uint8(message.kind),
+            decided_by=np.uint8(message.decided_by), pilot_weight=message.pilot_weight,
+            reason=np.uint8(message.reason))
+
+
+class Thrusters(_Command):
+    """What the guard commands."""
+
+    def encode(self, k: int, value: Any) -> bytes:
+        """Return the serialised message of a value."""
+        return self.packed(k, int(value.sequence), int(value.kind), value.command,
+                           bool(value.valid), int(value.decided_by), NAN, int(value.reason))
+
+    def decode(self, k: int, message: ThrustCommand) -> Any:
+        """Return the value in a message."""
+        return self.signal(
+            command=np.array(message.levels, dtype=np.int8), kind=np.uint8(message.kind),
+            valid=np.bool_(message.valid), reason=np.uint8(message.reason),
+            sequence=message.sequence, decided_by=np.uint8(message.decided_by))
+
+
+# -- the ends of the link ------------------------------------------------------------------------
+
+class _Sender(Codec):
+    """Packs a value into the frame of its step, which is what passes by hand."""
+
+    frames = True
+
+    def _frame(self, k: int, payload: bytes, expedited: bool = False) -> FrameOfLink:
+        return FrameOfLink(step=k, sequence=k + 1, sent=k * self.run.step_ns, expedited=expedited,
+                           payload=payload)
+
+
+class Downlink(_Sender):
+    """What the craft sends down, as LinkFrame."""
+
+    def encode(self, k: int, value: Any) -> FrameOfLink:
+        """Return the frame of a value."""
+        return self._frame(k, pack_downlink(
+            sequence=k + 1, generated_ns=k * self.run.step_ns, state=value.state,
+            accepted_sequence=value.accepted or 0, refusal=value.refusal or 0))
+
+
+class Telemetry(Codec):
+    """What came down, from a LinkFrame."""
+
+    frames = True
+
+    def __init__(self, signal: Signal, run: Run, event: Event) -> None:
+        super().__init__(signal, run)
+        self._event, self._width = event, signal.parts[0].shape[0]
+
+    def decode(self, k: int, message: LinkFrame) -> Any:
+        """Return what the frame of step k holds; nothing received if it holds nothing intact."""
+        if message.empty:
+            return self.initial
+        content = unpack_downlink(bytes(message.payload), self._width)
+        if not isinstance(content, Measured):
+            self._event('REFUSED', f'telemetry refused: {content.name}')
+            return self.initial
+        state = np.array(content.state)
+        return self.signal(state=state, received=np.isfinite(state).all())
+
+
+class Uplink(_Sender):
+    """What the ground sends up, as LinkFrame."""
+
+    def __init__(self, signal: Signal, run: Run, form: CommandForm) -> None:
+        super().__init__(signal, run)
+        self._form = form
+
+    def encode(self, k: int, value: Any) -> FrameOfLink:
+        """Return the frame of a value."""
+        return self._frame(k, pack_command(
+            sequence=k + 1, generated_ns=k * self.run.step_ns, command=value.command.tolist(),
+            kind=int(value.kind), form=self._form), bool(value.expedited))
+
+
+class Arrival(Codec):
+    """What came up, through the guard's gate, from a LinkFrame."""
+
+    frames = True
+
+    def __init__(self, signal: Signal, run: Run, form: CommandForm, legs: Legs, event: Event
+                 ) -> None:
+        super().__init__(signal, run)
+        self._event, self._neutral = event, form.neutral
+        self._gate = Gate(form, legs.forward * run.step_ns, run.step_ns)
+
+    def decode(self, k: int, message: LinkFrame) -> Any:
+        """Return what the gate makes of the frame of step k."""
+        return self._passed(k, None if message.empty else bytes(message.payload))
+
+    def missing(self, k: int) -> Any:
+        """Return what the gate makes of no frame."""
+        return self._passed(k, None)
+
+    def _passed(self, k: int, payload: bytes | None) -> Any:
+        passed = self._gate.advance(k, payload)
+        if passed.reason in REFUSALS:
+            name = Refusal(passed.reason).name
+            self._event('REFUSED', f'command refused: {name}, '
+                        f'{passed.counts[name.lower()]} so far')
+        return self.signal(
+            command=np.array(passed.command, dtype=self._neutral.dtype),
+            kind=np.uint8(passed.kind), received=np.bool_(passed.received),
+            reason=np.uint8(passed.reason), sequence=passed.sequence)

@@ -1,0 +1,292 @@
+"""
+A process of a run: its nodes, the barrier at the start, what passes between them, the end.
+
+Any number of nodes share a process (`--processes`): each keeps its rclpy node and publishes
+everything, but what one writes and another in the same process reads passes by hand. A process
+says on `/run/ready` that all its endpoints are matched, once for each node, and stops when the run
+that `/run/end` names is over.
+"""
+
+from collections import defaultdict
+from collections.abc import Callable
+import importlib
+import sys
+import time
+from typing import Any
+
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
+import rclpy
+from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
+from rclpy.publisher import Publisher
+from rclpy.serialization import serialize_message
+from std_msgs.msg import String, UInt64
+
+from rvd_dynamics.diagram.ros.arguments import Arguments
+from rvd_dynamics.diagram.ros.conversions import header_at
+from rvd_dynamics.diagram.ros.node import RunNode
+from rvd_dynamics.diagram.roster import COMMON, RECORDER, Roster
+from rvd_interfaces.msg import RunEvent
+
+ASK_S = 0.1                     # [s] wall time between two looks whether to stop
+BARRIER_PERIOD_S = 0.05         # [s] wall time between two looks at the endpoints
+DIAGNOSTICS_PERIOD_S = 1.0      # [s] wall time
+MOMENT_S = 0.3                  # [s] wall time in which local readers get what was written last
+RECORDER_S = 5.0                # [s] wall time that a closing process gives the recorder
+SLICE_S = 0.02                  # [s] wall time of firing before the executor is looked at again
+
+
+def message_type(name: str) -> type:
+    """Return the class of a message type such as 'std_msgs/msg/String'."""
+    package, folder, kind = name.split('/')
+    try:
+        return getattr(importlib.import_module(f'{package}.{folder}'), kind)
+    except (ImportError, AttributeError):
+        raise ValueError(f'message type {name} is not installed') from None
+
+
+class Host:
+    """One process; make it, make its nodes, then `spin`."""
+
+    def __init__(self, arguments: Arguments) -> None:
+        self.arguments = arguments
+        self.scenario = arguments.scenario()
+        self.roster = Roster(self.scenario, self.scenario.run.nodes)
+        self.nodes: dict[str, RunNode] = {}
+        self.firing: list[Any] = []             # nodes of blocks, in the order of the diagram
+        self.final_step: int | None = None
+        self._error: tuple[RunNode, Exception] | None = None
+        self._takers: dict[str, list[Callable]] = defaultdict(list)     # (step, what passes)
+        self._keepers: dict[str, list[Callable]] = defaultdict(list)    # (step, bytes)
+        self._diagnosed = time.monotonic()
+        self._ended = False
+        self._busy = False
+
+    # -- nodes ------------------------------------------------------------------------------
+
+    def add(self, node: RunNode) -> None:
+        """Take in a node; the first one speaks for the process."""
+        lead = not self.nodes
+        self.nodes[node.get_name()] = node
+        if not lead:
+            return
+        self._lead = node
+        self._ready = node.writer('/run/ready', String)
+        self._events = node.writer('/run/events', RunEvent)
+        self._diagnostics = node.writer('/diagnostics', DiagnosticArray)
+        self._barrier = node.create_timer(BARRIER_PERIOD_S, self._check_barrier)
+
+    def is_local(self, topic: str) -> bool:
+        """Say whether a node of this process writes a topic."""
+        mine = self.roster.process_of.get(self._home())
+        return any(self.roster.process_of.get(name) == mine and topic in self.roster.writes(name)
+                   for name in self.roster.names)
+
+    def _home(self) -> str:
+        return next(iter(self.nodes))
+
+    def take(self, topic: str, taker: Callable[[int, Any], None]) -> None:
+        """Hand on what nodes of this process write on a topic: the step, and what passes."""
+        self._takers[topic].append(taker)
+
+    def keep(self, topic: str, keeper: Callable[[int, bytes], None]) -> None:
+        """Hand on, serialised, what nodes of this process write on a topic."""
+        self._keepers[topic].append(keeper)
+
+    def publish(self, publisher: Publisher, topic: str, step: int, message: Any,
+                by_hand: Any = None) -> None:
+        """
+        Publish a message, serialised or not, and hand it to whoever reads it in this process.
+
+        `by_hand` is what its readers in this process get; the message itself unless given.
+        """
+        keepers = self._keepers.get(topic)
+        if keepers and not isinstance(message, bytes):
+            message = serialize_message(message)
+        publisher.publish(message)
+        if keepers:
+            for keeper in keepers:
+                keeper(step, message)
+        for taker in self._takers.get(topic, ()):
+            taker(step, message if by_hand is None else by_hand)
+
+    # -- start ------------------------------------------------------------------------------
+
+    def unmatched(self) -> list[str]:
+        """Return the topics whose other end is not there yet."""
+        missing = []
+        for node in self.nodes.values():
+            for topic, publisher in node.publishers_of.items():
+                readers = self.roster.expected(topic)[1]
+                if topic not in COMMON and publisher.get_subscription_count() < readers:
+                    missing.append(topic)
+            for topic, subscription in node.subscriptions_of.items():
+                writers = self.roster.expected(topic)[0]
+                if topic not in COMMON and subscription.get_publisher_count() < writers:
+                    missing.append(topic)
+        return missing
+
+    def _check_barrier(self) -> None:
+        if self.unmatched():
+            return
+        self._barrier.cancel()
+        self._lead.destroy_timer(self._barrier)
+        for name in self.nodes:
+            self.publish(self._ready, '/run/ready', -1, String(data=name))
+        for node in self.nodes.values():
+            node.guarded(node.on_ready)()
+
+    # -- while it runs ----------------------------------------------------------------------
+
+    def event(self, node: RunNode, code: str, text: str) -> None:
+        """Say on /run/events that something happened to a node, once."""
+        step = max(node.step, 0)
+        self.publish(self._events, '/run/events', step, RunEvent(
+            header=header_at(step * node.run.step_ns, node.run.frame_id), step=step,
+            node=node.get_name(), code=code, text=text))
+
+    def diagnose(self) -> None:
+        """
+        Publish /diagnostics at most once a second of wall time.
+
+        Called from the work itself, never from a timer: a process that hangs falls silent.
+        """
+        now = time.monotonic()
+        if now - self._diagnosed < DIAGNOSTICS_PERIOD_S:
+            return
+        self._diagnosed = now
+        lead = self._lead
+        message = DiagnosticArray(status=[DiagnosticStatus(
+            level=DiagnosticStatus.WARN if node.trouble else DiagnosticStatus.OK,
+            name=name, hardware_id='rvd', message='; '.join(node.trouble.values()) or 'running',
+            values=[KeyValue(key='step', value=str(node.step))])
+            for name, node in self.nodes.items()])
+        message.header = header_at(max(lead.step, 0) * lead.run.step_ns, '')
+        self.publish(self._diagnostics, '/diagnostics', -1, message)
+
+    def work(self) -> None:
+        """Fire every block whose inputs are complete, for a while."""
+        until = time.monotonic() + SLICE_S
+        moved = True
+        while moved and not self._ended:
+            moved = False
+            for node in self.firing:
+                while node.may_fire():
+                    node.fire()
+                    moved = True
+            if moved and len(self.firing) > 1 and time.monotonic() > until:
+                break
+        self._busy = moved and not self._ended
+
+    # -- end --------------------------------------------------------------------------------
+
+    def end(self, final_step: int) -> None:
+        """Be told the last step of the run."""
+        if self.final_step is not None:
+            return
+        self.final_step = final_step
+        for node in self.nodes.values():
+            node.guarded(node.on_end)(final_step)
+
+    def fail(self, node: RunNode, error: Exception) -> None:
+        """End the process with an error; the first one counts."""
+        if self._error is None and not self._ended:
+            self._error = (node, error)
+        self._ended = True
+
+    def look(self) -> None:
+        """See whether every node has finished."""
+        self._ended = self._ended or all(node.finished for node in self.nodes.values())
+
+    @property
+    def ended(self) -> bool:
+        """Whether nothing is left to do, or an error has ended it."""
+        return self._ended
+
+    def spin(self, stopped: Callable[[], bool] | None = None) -> None:
+        """
+        Serve the nodes to the end of the run, or until `stopped()`, which is asked now and then.
+
+        Raises
+        ------
+        Exception
+            What a node raised; it carries the node's name in `rvd_node`.
+        """
+        executor = SingleThreadedExecutor()
+        for node in self.nodes.values():
+            executor.add_node(node)
+        try:
+            while not self._ended and not (stopped and stopped()):
+                executor.spin_once(timeout_sec=0.0 if self._busy else
+                                   ASK_S if stopped else None)
+                try:
+                    self.work()
+                except Exception as error:      # noqa: B902 - of the block that fired last
+                    self.fail(getattr(error, 'rvd_node', self._lead), error)
+        finally:
+            executor.shutdown(timeout_sec=0.0)
+        self.raise_error()
+
+    def raise_error(self) -> None:
+        """Raise what ended the process, if an error did."""
+        if self._error is not None:
+            node, error = self._error
+            error.rvd_node = node
+            raise error
+
+    def close(self) -> None:
+        """
+        Let the readers have the last messages before the writers go.
+
+        The recorder leaves when it has everything, so who is recorded waits for that; others
+        stay a moment. (Waiting for acknowledgements takes a heartbeat of 3 s, always.)
+        """
+        if self.nodes and self._lead.context.ok():      # else told to stop: the graph is gone
+            if RECORDER not in self.roster.names:
+                time.sleep(MOMENT_S)
+            elif RECORDER not in self.nodes:
+                deadline = time.monotonic() + RECORDER_S
+                while time.monotonic() < deadline and self._recorder_is_here():
+                    time.sleep(0.02)
+        for node in self.nodes.values():
+            node.close()
+        for node in self.nodes.values():
+            node.destroy_node()
+
+    def _recorder_is_here(self) -> bool:
+        readers = self._lead.get_subscriptions_info_by_topic('/run/end')
+        return any(reader.node_name == RECORDER for reader in readers)
+
+
+def listen_for_the_end(host: Host) -> None:
+    """Subscribe to /run/end, unless the plant is in this process."""
+    if host.roster.diagram.plant not in host.nodes:
+        host._lead.watch('/run/end', UInt64, lambda message: host.end(message.data))
+
+
+def run(make: Callable[[Host], None], arguments: Arguments, argv: list[str]) -> None:
+    """
+    Make a process and its nodes, and serve them until the run is over or it is told to stop.
+
+    Bad settings end the process with exit code 2 and one line that names the value.
+    """
+    rclpy.init(args=argv)
+    host = None
+    try:
+        host = Host(arguments)
+        make(host)
+        listen_for_the_end(host)
+        host.spin()
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    except RuntimeError:                        # told to stop between two waits
+        if rclpy.ok():
+            raise
+    except ValueError as error:
+        node = getattr(error, 'rvd_node', None)
+        name = node.get_name() if node is not None else arguments.name
+        print(f'{name}: {error}', file=sys.stderr)
+        sys.exit(2)
+    finally:
+        if host is not None:
+            host.close()
+        rclpy.try_shutdown()

@@ -1,0 +1,76 @@
+"""
+The one `main` of all executables that are nodes of a run: finds the node and runs it.
+
+`ros2 run PACKAGE NODE --ros-args --params-file SCENARIO` starts one block or watcher by its name;
+the link's two legs are one executable, run under the name of each. `block_group` with `-p
+group:=NAME` starts all the nodes that share the process NAME when `processes` is not `blocks`.
+"""
+
+import sys
+
+from rvd_dynamics.diagram.block import Leg
+from rvd_dynamics.diagram.ros.arguments import Arguments, parsed
+from rvd_dynamics.diagram.ros.firing import node_of
+from rvd_dynamics.diagram.ros.host import Host, run
+from rvd_dynamics.diagram.roster import GROUP_EXECUTABLE, MARKERS, MONITOR, RECORDER
+
+LEG_EXECUTABLE = 'link_emulator'
+
+
+def main() -> None:
+    """Run the nodes that the command line names."""
+    try:
+        arguments = parsed(sys.argv)
+    except ValueError as error:
+        print(f'{sys.argv[0].rsplit("/", 1)[-1]}: {error}', file=sys.stderr)
+        sys.exit(2)
+    run(lambda host: make(host, wanted(host, arguments)), arguments, sys.argv)
+
+
+def wanted(host: Host, arguments: Arguments) -> tuple[str, ...]:
+    """
+    Return the names of the nodes that this process is to run.
+
+    Raises
+    ------
+    ValueError
+        If the run has no such node or process.
+    """
+    roster = host.roster
+    if arguments.executable == GROUP_EXECUTABLE:
+        group = arguments.process.get('group', '')
+        groups = {p.name: p.nodes for p in roster.processes if p.grouped}
+        if group not in groups:
+            raise ValueError(f'group must be one of {", ".join(groups) or "none"} with processes '
+                             f'{host.scenario.run.processes}, got {group!r}')
+        return groups[group]
+    legs = [block.name for block in roster.diagram.blocks if isinstance(block, Leg)]
+    if arguments.executable == LEG_EXECUTABLE and arguments.name not in legs:
+        raise ValueError(f'a link must be named {" or ".join(legs)}, not {arguments.name!r}: add '
+                         f'--ros-args -r __node:={legs[0]}')
+    if arguments.name not in roster.blocks and arguments.name not in roster.watchers:
+        raise ValueError(f'mission {host.scenario.mission.name} has no node {arguments.name!r} in '
+                         f'this scenario; it has {", ".join((*roster.blocks, *roster.watchers))}')
+    return (arguments.name,)
+
+
+def make(host: Host, names: tuple[str, ...]) -> None:
+    """Make the nodes: first their publishers, then their subscriptions, then what computes."""
+    blocks = [node_of(host, block) for block in host.roster.diagram.order if block.name in names]
+    watchers = [_watcher(host, name) for name in names if name in host.roster.watchers]
+    for node in (*watchers, *blocks):           # the recorder hears what is said at the start
+        node.connect()
+    for node in blocks:
+        node.make()
+
+
+def _watcher(host: Host, name: str) -> object:
+    if name == RECORDER:
+        from rvd_dynamics.diagram.ros.recorder import BagRecorder
+        return BagRecorder(host)
+    if name == MONITOR:
+        from rvd_dynamics.diagram.ros.monitor import MissionMonitor
+        return MissionMonitor(host)
+    assert name == MARKERS
+    from rvd_dynamics.diagram.ros.markers import Markers
+    return Markers(host)

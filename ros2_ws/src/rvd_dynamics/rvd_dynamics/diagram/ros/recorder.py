@@ -1,0 +1,215 @@
+"""
+The bag writer as a node: every topic of the run, as it came, into a rosbag2 MCAP bag.
+
+Reads       every topic of the run, and once a second whatever else has appeared; what nodes of
+            the same process write passes by hand, serialised
+Publishes   /run/recorded_step      std_msgs/UInt64, every 16 steps: in lock step the dynamics
+            do not run further ahead of it than they must
+Parameters  the fields of RecorderParams
+
+The scenario is the first message. A message's log time is the simulation time of its step (of
+the newest step seen, for messages that belong to none), its publish time is wall time. Steps
+that never came, and messages that the disk did not take, are counted per topic and the counts
+stored as metadata records `rvd_missing` and `rvd_lost`.
+"""
+
+import time
+from pathlib import Path
+from typing import Callable
+
+from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from std_msgs.msg import UInt64
+
+from rvd_dynamics.diagram.params import require
+from rvd_dynamics.recording.bag_writer import BagWriter
+from rvd_dynamics.recording.params import RecorderParams
+from rvd_dynamics.recording.rosbag2 import qos_words
+from rvd_dynamics.recording.steps import StepLedger, step_reader
+from rvd_dynamics.diagram.ros import qos
+from rvd_dynamics.diagram.ros.host import Host, message_type
+from rvd_dynamics.diagram.ros.node import RunNode
+from rvd_dynamics.diagram.roster import COMMON, MONITOR, RECORDER
+
+RECORDED_STEP = '/run/recorded_step'
+NOT_RECORDED = (RECORDED_STEP, '/parameter_events')     # our own, and what no run changes
+SCENARIO, VERDICT = '/run/scenario', '/run/verdict'
+REPORT_EVERY = 16               # [steps]
+LOOK_PERIOD_S = 1.0             # [s] wall time between two looks for new topics
+DRAIN_PERIOD_S = 0.1            # [s] wall time between two looks whether all has come
+SILENCE_S = 2.0                 # [s] wall time without a message of a step: no more will come
+GRACE_S = 0.2                   # [s] wall time for events and the like after the last step
+NOTE_MISSING = 'rvd_missing'    # metadata record: topic -> steps that never came
+# What a nearly full disk is kept for, besides the story of the run in /run/*.
+COMMANDS = ('/joy', '/ground/command', '/ground/uplink', '/onboard/command',
+            '/onboard/thruster_command')
+
+
+def worth(topic: str) -> int:
+    """Say what `topic` is worth on a disk that is nearly full: 2 to the last, 1 longer than 0."""
+    return 2 if topic.startswith('/run/') else int(topic in COMMANDS)
+
+
+class BagRecorder(RunNode):
+    """The recorder as a node."""
+
+    def __init__(self, host: Host) -> None:
+        super().__init__(host, RECORDER)
+        settings: RecorderParams = self.scenario.settings(RECORDER)
+        self._bag = self._open(settings.bag_dir)
+        self._truth = self.roster.diagram.truth.name
+        self._ledger = StepLedger()
+        self._early: list[tuple] | None = []    # kept until the scenario has gone first
+        self._heard = time.monotonic()          # a message that one of the nodes owed
+        self._complete: float | None = None     # since when the last step is here
+        self._judged_step = -1
+        self._recorded: set[str] = set()
+        self._unknown: set[str] = set()         # topics of types that are not installed
+        self._complained = False
+        self._steps = self.writer(RECORDED_STEP, UInt64)
+        for topic in self._owed():
+            self._ledger.expect(topic)
+
+    def connect(self) -> None:
+        """Listen to every topic of the run."""
+        # The executor looks in the order of creation: the scenario before what came with it.
+        for topic, kind in sorted(self.roster.topics.items(), key=lambda i: i[0] != SCENARIO):
+            if topic not in NOT_RECORDED:
+                self._record(topic, kind, self.quality(topic))
+        self._bag.describe()
+        self.create_timer(LOOK_PERIOD_S, self.guarded(self._look_for_topics))
+
+    @staticmethod
+    def _open(directory: str) -> BagWriter:
+        require(bool(directory), 'bag_dir', 'name a directory', repr(directory))
+        try:
+            return BagWriter(Path(directory), worth)
+        except OSError as error:
+            raise ValueError(f'bag_dir {directory}: {error.strerror}') from None
+
+    def _owed(self) -> list[str]:
+        """Return the topics that the nodes of this run write once per step."""
+        return [topic for name in self.roster.names for topic in self.roster.emits(name)]
+
+    # -- topics ---------------------------------------------------------------------------
+
+    def _record(self, topic: str, kind: str, offered: QoSProfile) -> None:
+        reliable = offered.reliability == ReliabilityPolicy.RELIABLE
+        latched = offered.durability == DurabilityPolicy.TRANSIENT_LOCAL
+        self._bag.add_topic(topic, kind, qos_words(offered.depth, reliable, latched))
+        self._recorded.add(topic)
+        store = self._writer_of(topic, kind)
+        if topic not in COMMON and self.host.is_local(topic):
+            self.host.keep(topic, lambda step, data: store(data, step, time.time_ns(), 0))
+            return
+        deep = QoSProfile(depth=qos.DEPTH, reliability=offered.reliability,
+                          durability=offered.durability)
+        read_step = step_reader(kind, self.run.step_ns)
+
+        def came(data: bytes, info: dict) -> None:
+            step = self.step if read_step is None else read_step(data)
+            store(data, step, info['source_timestamp'], info['publication_sequence_number'] or 0)
+            if topic == self._truth:
+                self.rest(info)
+        self.watch_raw(topic, message_type(kind), came, deep)
+
+    def _writer_of(self, topic: str, kind: str) -> Callable:
+        """Return what stores the messages of one topic."""
+        stepped = step_reader(kind, self.run.step_ns) is not None
+        owed, step_ns = topic in self._ledger.last, self.run.step_ns
+
+        def store(data: bytes, step: int, sent_ns: int, sequence: int) -> None:
+            step = step if stepped else self.step
+            self.step = max(self.step, step)
+            self._store((topic, data, max(step, 0) * step_ns, sent_ns, sequence), stepped)
+            if owed:
+                self._heard = time.monotonic()
+                self._ledger.saw(topic, step)
+            if topic == VERDICT:
+                self._judged_step = step
+            if topic == self._truth and step % REPORT_EVERY == 0:
+                self.host.publish(self._steps, RECORDED_STEP, step, UInt64(data=step))
+                self._report()
+        return store
+
+    def _store(self, message: tuple, stepped: bool) -> None:
+        topic = message[0]
+        if self._early is None:
+            self._bag.write(*message)
+        elif topic == SCENARIO:
+            self._begin([message, *self._early])
+        elif stepped and topic not in COMMON:           # the run has begun without a scenario
+            self._begin([*self._early, message])
+        else:
+            self._early.append(message)
+
+    def _begin(self, messages: list[tuple]) -> None:
+        self._early = None
+        for message in messages:
+            self._bag.write(*message)
+
+    def on_ready(self) -> None:
+        """Take viewers' topics in from the beginning."""
+        self._look_for_topics()
+
+    def _look_for_topics(self) -> None:
+        """Record topics that are not in the graph's table, viewers' topics for instance."""
+        for topic, kinds in self.get_topic_names_and_types():
+            known = topic in self._recorded or topic in self._unknown
+            if known or topic in NOT_RECORDED or '/_' in topic:
+                continue
+            writers = self.get_publishers_info_by_topic(topic)
+            if not writers:
+                continue
+            try:
+                self._record(topic, kinds[0], _adapted([w.qos_profile for w in writers]))
+            except (LookupError, ImportError, AttributeError, ValueError) as error:
+                self._unknown.add(topic)
+                self.event('UNRECORDED', f'{topic}: {error}')
+
+    # -- state of the bag -----------------------------------------------------------------
+
+    def _report(self) -> None:
+        if self._bag.trouble and not self._complained:
+            self._complained = True
+            self.trouble['disk'] = self._bag.trouble
+            self.get_logger().error(self._bag.trouble)
+            self.event('DISK', self._bag.trouble)
+        self.host.diagnose()
+
+    def on_end(self, final_step: int) -> None:
+        """Wait for the last step of every topic, which may still be on its way."""
+        self._heard = time.monotonic()
+        self.create_timer(DRAIN_PERIOD_S, self.guarded(self._drain))
+
+    def _drain(self) -> None:
+        now = time.monotonic()
+        if self._complete is None and self._all_here():
+            self._complete = now
+        if now - self._heard > SILENCE_S or (
+                self._complete is not None and now - self._complete > GRACE_S):
+            self.finish()
+
+    def _all_here(self) -> bool:
+        final = self.host.final_step
+        judged = self._judged_step >= final or MONITOR not in self.roster.names
+        return judged and self._ledger.reached(final)
+
+    def close(self) -> None:
+        """Close the bag; nobody waits for the recorder's own last messages."""
+        if self._early:
+            self._begin(self._early)
+        if self.host.final_step is not None:
+            self._ledger.end(self.host.final_step)
+        missing = {topic: str(n) for topic, n in self._ledger.missing.items()}
+        self._bag.close({NOTE_MISSING: missing})
+
+
+def _adapted(offers: list[QoSProfile]) -> QoSProfile:
+    """Return the strictest profile that every one of the writers satisfies."""
+    reliable = all(o.reliability == ReliabilityPolicy.RELIABLE for o in offers)
+    latched = all(o.durability == DurabilityPolicy.TRANSIENT_LOCAL for o in offers)
+    return QoSProfile(
+        depth=max([o.depth for o in offers]) or 1,
+        reliability=ReliabilityPolicy.RELIABLE if reliable else ReliabilityPolicy.BEST_EFFORT,
+        durability=(DurabilityPolicy.TRANSIENT_LOCAL if latched
+                    else DurabilityPolicy.VOLATILE))

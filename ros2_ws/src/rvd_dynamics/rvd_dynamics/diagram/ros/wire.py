@@ -1,0 +1,127 @@
+"""
+Serialised messages packed in one go, for topics that are written in every step.
+
+A message whose strings and lists keep their lengths is a fixed structure of bytes. `Layout` reads
+it off the message class and packs plain numbers into it, in a tenth of the time that it takes to
+fill a message object and to have it serialised. What it makes is what ROS makes; a test holds the
+two against each other for every message of ours.
+
+Source  CDR as ROS 2 writes it (OMG, DDS-XTypes 1.3, XCDR version 1, little endian): 4 bytes of
+        encapsulation, then the fields in order, each aligned to its own size from there on; a
+        string is its length with the closing zero, its characters and the zero; a list of varying
+        length is its length and its elements.
+"""
+
+from importlib import import_module
+import re
+from struct import Struct
+from typing import Any
+
+HEAD = b'\x00\x01\x00\x00'
+CODES = {'boolean': '?', 'octet': 'B', 'uint8': 'B', 'int8': 'b', 'uint16': 'H', 'int16': 'h',
+         'uint32': 'I', 'int32': 'i', 'float': 'f', 'uint64': 'Q', 'int64': 'q', 'double': 'd'}
+ARRAY = re.compile(r'(.+)\[(\d+)\]')
+SEQUENCE = re.compile(r'sequence<([^,>]+)(?:, \d+)?>')
+
+
+class Layout:
+    """
+    The bytes of one message type.
+
+    Parameters
+    ----------
+    kind : type
+        Message class.
+    strings : mapping of str to str
+        Value of each string field, by its dotted path: it never changes.
+    sizes : mapping of str to int
+        Number of elements of each list of varying length, by its dotted path.
+
+    Raises
+    ------
+    ValueError
+        If a field has no size, or is of a kind that has no fixed one.
+    """
+
+    def __init__(self, kind: type, strings: dict[str, str] | None = None,
+                 sizes: dict[str, int] | None = None) -> None:
+        self._strings, self._sizes = strings or {}, sizes or {}
+        self._format, self._at = '<4s', 0
+        self.fields: dict[str, str] = {}        # path of each number that `pack` takes: its code
+        self._fixed: list[tuple[int, Any]] = []     # place among all values, what stands there
+        self._count = 1
+        self._walk(kind, '')
+        self._struct = Struct(self._format)
+        self._template = [None] * self._count
+        self._template[0] = HEAD
+        for place, value in self._fixed:
+            self._template[place] = value
+        taken = {0, *(place for place, _ in self._fixed)}
+        self._places = [i for i in range(self._count) if i not in taken]
+        self._runs = self._slices()
+
+    def _slices(self) -> list[tuple[slice, slice]]:
+        """Return where consecutive numbers of `pack` go in the whole."""
+        runs, start = [], 0
+        for i in range(1, len(self._places) + 1):
+            if i == len(self._places) or self._places[i] != self._places[i - 1] + 1:
+                first = self._places[start]
+                runs.append((slice(first, first + i - start), slice(start, i)))
+                start = i
+        return runs
+
+    def pack(self, *numbers: Any) -> bytes:
+        """Return the serialised message with these numbers, in the order of `fields`."""
+        values = self._template.copy()
+        for there, here in self._runs:
+            values[there] = numbers[here]
+        return self._struct.pack(*values)
+
+    # -- reading the message class ------------------------------------------------------------
+
+    def _walk(self, kind: type, prefix: str) -> None:
+        for name, text in kind.get_fields_and_field_types().items():
+            self._field(prefix + name, text)
+
+    def _field(self, path: str, text: str) -> None:
+        array, sequence = ARRAY.fullmatch(text), SEQUENCE.fullmatch(text)
+        if array:
+            for i in range(int(array[2])):
+                self._field(f'{path}[{i}]', array[1])
+        elif sequence:
+            if path not in self._sizes:
+                raise ValueError(f'{path}: a list of varying length needs a size')
+            size = self._sizes[path]
+            self._constant('I', size)
+            if sequence[1] == 'uint8':          # as one piece of bytes
+                self.fields[path] = f'{size}s'
+                self._number(f'{size}s')
+                return
+            for i in range(size):
+                self._field(f'{path}[{i}]', sequence[1])
+        elif text == 'string':
+            if path not in self._strings:
+                raise ValueError(f'{path}: a string needs a value')
+            characters = self._strings[path].encode() + b'\0'
+            self._constant('I', len(characters))
+            self._constant(f'{len(characters)}s', characters)
+        elif text in CODES:
+            self._number(CODES[text])
+            self.fields[path] = CODES[text]
+        elif '/' in text:
+            package, name = text.split('/')
+            self._walk(getattr(import_module(f'{package}.msg'), name), f'{path}.')
+        else:
+            raise ValueError(f'{path}: no fixed size for {text}')
+
+    def _constant(self, code: str, value: Any) -> None:
+        self._fixed.append((self._count, value))
+        self._number(code)
+
+    def _number(self, code: str) -> None:
+        size = Struct(f'<{code}').size
+        align = 1 if code.endswith('s') else size       # characters need none
+        pad = -self._at % align
+        self._format += f'{pad}x{code}' if pad else code
+        self._at += pad + size
+        self._count += 1

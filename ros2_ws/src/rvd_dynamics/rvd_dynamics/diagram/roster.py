@@ -1,0 +1,256 @@
+"""
+Who takes part in a run: nodes, the processes that they share, and the topics between them.
+
+Read from the diagram; it imports no ROS, so that tools may read it. The start-up barrier counts
+its endpoints here, the recorder its topics, the bring-up its processes, and `fly` finds here who
+owes a message.
+
+    python -m rvd_dynamics.diagram.roster SCENARIO RUN_DIR [--headless]
+
+prints one process a line for `scripts/bringup.sh`: name, package, executable, arguments.
+"""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+import shlex
+import sys
+from typing import NamedTuple
+
+from rvd_dynamics.diagram.block import Leg, WATCH
+from rvd_dynamics.diagram.scenario import load, Scenario
+
+# What a run says about itself, besides the signals of its diagram.
+RUN_TOPICS = {
+    '/clock': 'rosgraph_msgs/msg/Clock',
+    '/run/scenario': 'std_msgs/msg/String',
+    '/run/ready': 'std_msgs/msg/String',
+    '/run/pause': 'std_msgs/msg/Bool',
+    '/run/end': 'std_msgs/msg/UInt64',
+    '/run/recorded_step': 'std_msgs/msg/UInt64',
+    '/run/verdict': 'rvd_interfaces/msg/Verdict',
+    '/run/events': 'rvd_interfaces/msg/RunEvent',
+    '/diagnostics': 'diagnostic_msgs/msg/DiagnosticArray',
+}
+# Written by any node whenever it has something to say; nobody waits for them at the start.
+COMMON = ('/run/ready', '/run/events', '/diagnostics')
+RECORDER, MONITOR, MARKERS = 'bag_recorder', 'mission_monitor', 'markers'
+RECORDER_LEAD = 64              # [steps] in lock step the recorder is never further behind
+GROUP_EXECUTABLE = 'block_group'        # of rvd_dynamics: several blocks in one process
+
+
+@dataclass(frozen=True)
+class Watcher:
+    """A node that watches a run from outside the ring."""
+
+    name: str
+    reads: tuple[str, ...] = ()
+    writes: tuple[str, ...] = ()
+    package: str = 'rvd_dynamics'
+
+
+class Process(NamedTuple):
+    """One process of the bring-up."""
+
+    name: str
+    package: str
+    executable: str
+    nodes: tuple[str, ...]
+    grouped: bool
+
+
+class Roster:
+    """
+    Nodes of one run.
+
+    Parameters
+    ----------
+    scenario : Scenario
+    names : iterable of str, optional
+        Nodes that take part; by default, and where it is empty, those without which the run
+        cannot step.
+    """
+
+    def __init__(self, scenario: Scenario, names: Iterable[str] = ()) -> None:
+        self.scenario, self.diagram = scenario, scenario.diagram
+        self.blocks = {b.name: b for b in self.diagram.blocks if b.in_graph}
+        self.externals = {e.name: e for e in self.diagram.externals}
+        self.names = tuple(n for n in names if n) or tuple(self.blocks)
+
+    # -- topics -----------------------------------------------------------------------------
+
+    @cached_property
+    def topics(self) -> dict[str, str]:
+        """Message types of all topics of the run."""
+        found = {s.name: s.message for b in self.blocks.values() for s in b.writes.values()}
+        found |= {leg.status.name: leg.status.message for leg in self.blocks.values()
+                  if isinstance(leg, Leg) and leg.status is not None}
+        for external in self.externals.values():
+            found |= {r.signal.name: r.signal.message for b in self.blocks.values()
+                      for r in b.reads.values() if r.signal.name in external.writes}
+        return {**found, **RUN_TOPICS}
+
+    @cached_property
+    def watchers(self) -> dict[str, Watcher]:
+        """The watchers that a run may have."""
+        truth = self.diagram.truth.name
+        viewed = tuple(name for name in ('/ground/estimate', '/ground/prediction', truth)
+                       if name in self.topics)
+        return {watcher.name: watcher for watcher in (
+            Watcher(MONITOR, (truth, '/run/end'), ('/run/verdict',)),
+            Watcher(RECORDER, tuple(self.topics), ('/run/recorded_step',)),
+            Watcher(MARKERS, (*viewed, '/run/end')))}
+
+    def emits(self, name: str) -> tuple[str, ...]:
+        """Return the topics that a node writes once at each of its firings."""
+        block = self.blocks.get(name)
+        if block is None:
+            return ()
+        found = [signal.name for signal in block.writes.values()]
+        if isinstance(block, Leg) and block.status is not None:
+            found.append(block.status.name)
+        return (*found, '/clock') if name == self.diagram.plant else tuple(found)
+
+    @cached_property
+    def owed(self) -> dict[str, int]:
+        """The topics that get one message at each firing of their node: its period [steps]."""
+        return {topic: self.blocks[name].period for name in self.names if name in self.blocks
+                for topic in self.emits(name)}
+
+    def writes(self, name: str) -> frozenset[str]:
+        """Return all topics that a node writes, the common ones aside."""
+        found = set(self.emits(name))
+        if name == self.diagram.plant:
+            found |= {'/run/end', '/run/scenario'}
+        if name in self.blocks and self.blocks[name].control:
+            found.add('/run/pause')
+        if name in self.watchers:
+            found |= set(self.watchers[name].writes)
+        if name in self.externals:
+            found |= set(self.externals[name].writes)
+        return frozenset(found)
+
+    def reads(self, name: str) -> frozenset[str]:
+        """Return all topics that a node reads."""
+        found: set[str] = set()
+        if name in self.blocks:
+            found = {read.signal.name for read in self.blocks[name].reads.values()} | {'/run/end'}
+        if name == self.diagram.plant:
+            found |= {'/run/ready', '/run/recorded_step', '/run/pause'}
+        if name in self.watchers:
+            found = set(self.watchers[name].reads)
+        if name in self.externals:
+            external = self.externals[name]
+            found = set(external.reads)
+            if not external.foreign:
+                found |= {'/run/end', '/run/pause', '/run/events', '/run/verdict'}
+        return frozenset(found) - self.writes(name)
+
+    # -- processes --------------------------------------------------------------------------
+
+    @cached_property
+    def processes(self) -> tuple[Process, ...]:
+        """The processes of the run, with the nodes that each holds."""
+        grouping = self.scenario.run.processes
+        watchers = tuple(n for n in self.names if n in self.watchers)
+        groups = {name: tuple(b.name for b in blocks if b.name in self.names)
+                  for name, blocks in self.diagram.groups(grouping).items()}
+        if grouping == 'blocks':
+            found = [Process(n, self.blocks[n].package, self.blocks[n].executable, (n,), False)
+                     for n in groups if groups[n]]
+            found += [Process(n, self.watchers[n].package, n, (n,), False) for n in watchers]
+        else:
+            home = WATCH if grouping == 'segments' else grouping
+            groups[home] = groups.get(home, ()) + watchers
+            found = [Process(name, 'rvd_dynamics', GROUP_EXECUTABLE, nodes, True)
+                     for name, nodes in groups.items() if nodes]
+        found += [Process(n, self.externals[n].package, self.externals[n].executable, (n,), False)
+                  for n in self.names if n in self.externals]
+        return tuple(found)
+
+    @cached_property
+    def process_of(self) -> dict[str, str]:
+        """Name of the process of each node."""
+        return {node: process.name for process in self.processes for node in process.nodes}
+
+    def expected(self, topic: str) -> tuple[int, int]:
+        """
+        Return the least numbers of (publishers, subscriptions) that a topic has in DDS.
+
+        Within a process signals pass by hand, and a process subscribes once to a topic.
+        """
+        writers = [n for n in self.names if topic in self.writes(n)]
+        homes = {self.process_of[n] for n in writers}
+        readers = {self.process_of[n] for n in self.names if topic in self.reads(n)}
+        return len(writers), len(readers - homes)
+
+    # -- who owes ---------------------------------------------------------------------------
+
+    def who_owes(self, last: dict[str, int]) -> list[str]:
+        """
+        Name the nodes whose inputs are complete and whose output is missing.
+
+        `last` is the last step seen on each topic (-1: nothing yet). In lock step the world also
+        waits for a recorder that is RECORDER_LEAD steps behind: then that one owes.
+        """
+        def seen(topic: str) -> int:
+            return last.get(topic, -1)
+
+        truth = self.diagram.truth.name
+        if RECORDER in self.names and seen(truth) - seen('/run/recorded_step') >= RECORDER_LEAD:
+            return [RECORDER]
+        owing = []
+        for name in self.names:
+            block = self.blocks.get(name)
+            if block is None:
+                continue
+            stepped = [topic for topic in self.emits(name) if topic != '/clock']
+            due = min(seen(topic) for topic in stepped) + block.period
+            due -= due % block.period
+            if all(seen(read.signal.name) >= due - read.delay for read in block.reads.values()
+                   if not read.held):
+                owing.append(name)
+        return owing
+
+
+def listed(scenario: Scenario, headless: bool) -> Roster:
+    """Return the roster of a whole run, as the bring-up starts it."""
+    blocks = [block.name for block in scenario.diagram.blocks if block.in_graph]
+    externals = [external.name for external in scenario.diagram.externals]
+    watchers = [MONITOR, RECORDER]
+    if not headless and scenario.mission.markers:
+        watchers.append(MARKERS)
+    return Roster(scenario, (*blocks, *externals, *watchers))
+
+
+def lines(roster: Roster, run_dir: str) -> list[str]:
+    """Return one line per process: name, package, executable and ROS arguments, for a shell."""
+    names = f'[{",".join(roster.names)}]'
+    made = []
+    for process in roster.processes:
+        arguments = ['-p', f'nodes:={names}']
+        if process.grouped:
+            arguments += ['-p', f'group:={process.name}']
+        else:
+            arguments += ['-r', f'__node:={process.name}']
+        if RECORDER in process.nodes:
+            arguments += ['-p', f'{RECORDER}:bag_dir:={run_dir}/bag']
+        made.append(' '.join((process.name, process.package, process.executable,
+                              *map(shlex.quote, arguments))))
+    return made
+
+
+def main(arguments: list[str]) -> int:
+    """Print the processes of a scenario; return the exit code."""
+    try:
+        scenario, run_dir, *options = arguments
+        print('\n'.join(lines(listed(load(Path(scenario)), '--headless' in options), run_dir)))
+    except ValueError as error:
+        print(f'bringup: {error}', file=sys.stderr)
+        return 2
+    return 0
+
+
+if __name__ == '__main__':
+    sys.exit(main(sys.argv[1:]))

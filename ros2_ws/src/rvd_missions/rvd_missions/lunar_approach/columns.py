@@ -1,0 +1,50 @@
+"""
+Columns of a campaign's table beyond the judge's measures: where it failed, and who decided.
+"""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rvd_dynamics.commands.codes import BY_AUTO, BY_BLEND, BY_NOBODY, BY_PILOT
+
+COLUMNS = {                             # name: type
+    'failed_at_s': 'f8', 'failed_x_m': 'f8', 'failed_y_m': 'f8', 'failed_z_m': 'f8',
+    'y_m': 'f8', 'z_m': 'f8', 'y_rate_m_s': 'f8', 'z_rate_m_s': 'f8',
+    'steps': 'i8', 'steps_nobody': 'i8', 'steps_pilot': 'i8', 'steps_auto': 'i8',
+    'steps_blend': 'i8', 'steps_changed': 'i8'}
+DECIDERS = np.array([[BY_NOBODY], [BY_PILOT], [BY_AUTO], [BY_BLEND]], dtype=np.uint8)
+
+
+class Columns:
+    """Counts, in the runs under way, who decided and how often the pilot was overruled."""
+
+    def __init__(self, batch: tuple) -> None:
+        self._ended = np.zeros(batch, dtype=bool)
+        self._decided = np.zeros((len(DECIDERS), *batch), dtype=np.int32)
+        self._changed = np.zeros(batch, dtype=np.int32)
+
+    def step(self, k: int, truth: Any, command: Any, stick: Any = None) -> dict[str, Any]:
+        """Count step k."""
+        self._ended |= truth.final
+        live = ~self._ended
+        self._decided += (command.decided_by == DECIDERS) & live
+        differs = command.command != (0 if stick is None else stick.command)
+        self._changed += live & (differs[:, 0] | differs[:, 1] | differs[:, 2])
+        return {}
+
+    def table(self, judge: Any, end_step: NDArray[np.int64]) -> dict[str, NDArray]:
+        """Return the columns of N runs."""
+        verdict, end = judge.verdict(), judge.terminal
+        exit_time = verdict.values['exit_time_s']
+        exit_position = np.stack([verdict.values[f'exit_{axis}_m'] for axis in 'xyz'], axis=-1)
+        left = ~np.isnan(exit_time)
+        place = np.where(left[:, None], exit_position, end[:, :3])
+        place = np.where(verdict.success[:, None], np.nan, place)
+        failed_at = np.where(verdict.success, np.nan,
+                             np.where(left, exit_time, verdict.duration))
+        values = (failed_at, *place.T, end[:, 1], end[:, 2], end[:, 4], end[:, 5], end_step,
+                  *self._decided, self._changed)
+        return {name: np.asarray(value, dtype=kind)
+                for (name, kind), value in zip(COLUMNS.items(), values, strict=True)}

@@ -1,0 +1,20 @@
+"""
+When an approach ends: said once, for the plant and for the judge.
+"""
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+
+def ended(step: int, state: ArrayLike, last_step: int) -> NDArray[np.bool_]:
+    """
+    Return which runs end with this step, from the states (..., 6) alone; shape (...).
+
+    A run ends where the chaser has reached the docking plane x = 0, at the time limit, or where
+    the truth is no longer finite. Leaving the corridor does not end a run. The judge's own
+    `Judge.ended` remembers, and also knows of a plane that was reached and left between samples.
+    """
+    state = np.asarray(state)
+    over = ~(state[..., 0] < 0.0) | (step >= last_step)
+    finite = np.isfinite(state)
+    return over if finite.all() else over | ~finite.all(axis=-1)

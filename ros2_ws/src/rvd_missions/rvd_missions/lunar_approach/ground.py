@@ -1,0 +1,151 @@
+"""
+The ground segment of the approach: predictor, operators, law and blender as blocks.
+"""
+
+from typing import Any
+
+import numpy as np
+
+from rvd_dynamics.commands.codes import BY_PILOT, KIND_ABORT, KIND_THRUST, REASON_ABORT
+from rvd_dynamics.commands.levels import LevelForm, stick_levels, StickParams, ThrustParams
+from rvd_dynamics.diagram.control import Control
+from rvd_dynamics.diagram.run import Legs, Run
+from rvd_dynamics.diagram.scenario import Scenario
+from rvd_dynamics.diagram.streams import PilotDraws
+from rvd_dynamics.geometry.cone import Cone
+from rvd_dynamics.motion.orbit import OrbitParams, StartParams
+from rvd_groundstation.guidance import Law
+from rvd_groundstation.operators.pilot import Pilot, PilotParams
+from rvd_groundstation.operators.tape import read_tape, Tape
+from rvd_groundstation.prediction.predictor import Predictor, PredictorParams
+from rvd_groundstation.prediction.score import Score
+from rvd_groundstation.sharing import decide
+from rvd_groundstation.sharing.decision import Sharing
+from rvd_missions.lunar_approach.signals import (
+    AUTO, COMMAND, ESTIMATE, PREDICTION, SCORE, STICK, UPLINK)
+
+THRUST, ABORT = np.uint8(KIND_THRUST), np.uint8(KIND_ABORT)
+
+
+# -- parts that blocks and laws ask for by name ------------------------------------------------
+
+def sharing(scenario: Scenario) -> Sharing:
+    """Return how two commands become one."""
+    return scenario.settings('command_blender').selected
+
+
+def law(scenario: Scenario) -> Law:
+    """Return the guidance law, with what it asks for besides its settings."""
+    return scenario.wired(scenario.settings('auto_controller').selected)
+
+
+def tape(scenario: Scenario) -> Tape:
+    """
+    Return the tape that the operator replays.
+
+    Raises
+    ------
+    ValueError
+        If none is named or it cannot be played.
+    """
+    path = scenario.settings('joystick_replay').tape
+    if not path:
+        raise ValueError('operator replay needs a tape: joystick_replay: tape names none')
+    return read_tape(path)
+
+
+# -- blocks ------------------------------------------------------------------------------------
+
+class StatePredictor:
+    """Filter of the telemetry, prediction across the loop, and its score."""
+
+    def __init__(self, settings: PredictorParams, run: Run, legs: Legs, orbit: OrbitParams,
+                 start: StartParams, form: LevelForm, batch: tuple, wanted: frozenset[str]
+                 ) -> None:
+        scored = 'score' in wanted
+        track = scored or bool({'estimate.covariance', 'prediction.covariance'} & wanted)
+        self._predictor = Predictor(settings, run, legs, orbit, start, form, batch, track)
+        self._score = Score(legs, batch) if scored else None
+
+    def step(self, k: int, telemetry: Any, command: Any) -> dict[str, Any]:
+        """Return what the ground knows at step k."""
+        p = self._predictor.advance(k, telemetry.state, telemetry.received,
+                                    None if k == 0 else command.command)
+        known = {'estimate': ESTIMATE(state=p.estimate, covariance=p.estimate_covariance,
+                                      valid=p.valid),
+                 'prediction': PREDICTION(state=p.predicted, covariance=p.covariance,
+                                          valid=p.valid)}
+        if self._score is not None:
+            known['score'] = SCORE(**self._score.advance(
+                p, telemetry.state, telemetry.received)._asdict())
+        return known
+
+
+class OperatorModel:
+    """The model pilot: looks at the displays, moves the stick."""
+
+    def __init__(self, settings: PilotParams, run: Run, cone: Cone, thrust: ThrustParams,
+                 chance: tuple[PilotDraws, Any], batch: tuple) -> None:
+        draws, skill = chance
+        self._pilot = Pilot(settings, run.step_s, cone, thrust, draws, skill, batch)
+        self._valid = np.ones(batch, dtype=bool)
+
+    def step(self, k: int, estimate: Any, prediction: Any) -> dict[str, Any]:
+        """Return where the stick is in step k."""
+        levels = self._pilot.advance(k, estimate.state, prediction.state,
+                                     estimate.valid & prediction.valid)
+        return {'stick': STICK(command=levels, valid=self._valid)}
+
+
+class JoystickReplay:
+    """A tape, played in simulation time; it looks at the prediction for its pace only."""
+
+    def __init__(self, tape: Tape, run: Run, stick: StickParams) -> None:
+        self._tape, self._stick, self._step_ns = tape, stick, run.step_ns
+
+    def step(self, k: int, prediction: Any) -> dict[str, Any]:
+        """Return what the tape holds for step k; it is the same in all rows."""
+        raw = self._tape.at(k * self._step_ns)
+        levels, valid = stick_levels(*raw, self._stick)
+        return {'stick': STICK(command=levels, valid=np.bool_(valid), raw=raw)}
+
+
+class AutoController:
+    """The guidance law; the command form makes a command of what it wants."""
+
+    def __init__(self, law: Law, form: LevelForm) -> None:
+        self._law, self._form = law, form
+
+    def step(self, k: int, prediction: Any, stick: Any = None) -> dict[str, Any]:
+        """Return the automatic command of step k."""
+        seen = None
+        if stick is not None and np.any(stick.valid):
+            seen = np.broadcast_to(stick.command, (*prediction.state.shape[:-1], 3))
+        wanted = self._law.wanted(prediction.state, seen)
+        return {'auto': AUTO(command=self._form.quantise(wanted), valid=prediction.valid)}
+
+
+class CommandBlender:
+    """Who decides, and what goes up the link."""
+
+    def __init__(self, sharing: Sharing, form: LevelForm, batch: tuple) -> None:
+        self._sharing, self._batch = sharing, batch
+        self._nothing = STICK.initial(batch)
+        self._neutral = np.broadcast_to(form.neutral, (*batch, len(form.neutral)))
+
+    def step(self, k: int, auto: Any, control: Control, stick: Any = None) -> dict[str, Any]:
+        """Return the command of step k and the uplink that carries it."""
+        stick = self._nothing if stick is None else stick
+        pilot, valid = stick.command, stick.valid
+        if pilot.ndim == 1:                         # a tape, the same in all rows
+            pilot = np.broadcast_to(pilot, self._neutral.shape)
+            valid = np.broadcast_to(valid, self._batch)
+        d = decide(control.mode, self._sharing, pilot, valid, auto.command, auto.valid)
+        levels, by, reason, kind = d.levels, d.decided_by, d.reason, THRUST
+        if control.abort:
+            levels, kind = self._neutral, ABORT
+            by = np.full(self._batch, BY_PILOT, dtype=np.uint8)
+            reason = np.full(self._batch, REASON_ABORT, dtype=np.uint8)
+        return {'command': COMMAND(command=levels, kind=kind, decided_by=by,
+                                   pilot_weight=d.pilot_weight, reason=reason),
+                'uplink': UPLINK(command=levels, kind=kind, expedited=np.bool_(control.abort))}

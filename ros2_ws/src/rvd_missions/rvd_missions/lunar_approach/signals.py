@@ -1,0 +1,37 @@
+"""
+Signals of the approach. Frame: target orbital, state (x, y, z, vx, vy, vz).
+"""
+
+from rvd_dynamics.diagram.signal import Part, Signal
+from rvd_dynamics.link import signals as link
+
+CODECS = link.CODECS
+STATE = 'rvd_interfaces/msg/RelativeState'
+THRUST_COMMAND = 'rvd_interfaces/msg/ThrustCommand'
+
+_state = Part('state', (6,), 'm, m/s')
+_valid = Part('valid', (), '', '?')
+_levels = Part('command', (3,), 'levels', 'i1')
+_covariance = Part('covariance', (6, 6), 'm, m/s', optional=True)
+
+TRUTH = Signal('/truth/relative_state', (
+    _state, Part('acceleration', (3,), 'm/s^2'), Part('final', (), '', '?')),
+    STATE, f'{CODECS}:Truth', truth=True)
+MEASUREMENT = Signal('/onboard/measurement', (_state,), STATE, f'{CODECS}:Measurement')
+DOWNLINK, TELEMETRY = link.downlink(_state), link.telemetry(_state)
+ESTIMATE = Signal('/ground/estimate', (_state, _valid, _covariance), STATE, f'{CODECS}:Estimate')
+PREDICTION = Signal('/ground/prediction', (_state, _valid, _covariance), STATE,
+                    f'{CODECS}:Prediction')
+SCORE = Signal('/ground/prediction_score', (
+    _valid, Part('error', (6,), 'm, m/s'), Part('sigma', (6,), 'm, m/s'),
+    Part('scored', (), '', 'i8'), Part('rms', (6,), 'm, m/s')),
+    'rvd_interfaces/msg/PredictionScore', f'{CODECS}:Score')
+STICK = Signal('/joy', (
+    _levels, _valid, Part('raw', (), 'axes, buttons', 'O', optional=True)),
+    'sensor_msgs/msg/Joy', f'{CODECS}:Stick')
+AUTO = Signal('/ground/auto_command', (_levels, _valid), THRUST_COMMAND, f'{CODECS}:Automatic')
+COMMAND = Signal('/ground/command', (
+    _levels, link.KIND, Part('decided_by', (), 'BY_*', 'u1'), Part('pilot_weight', ()),
+    Part('reason', (), 'REASON_*', 'u1')), THRUST_COMMAND, f'{CODECS}:Ground')
+UPLINK, ARRIVAL = link.uplink(_levels), link.arrival(_levels)
+THRUST = link.thrust(_levels, THRUST_COMMAND, f'{CODECS}:Thrusters')

@@ -1,0 +1,63 @@
+"""
+The space segment of the approach: the true motion, and the sensor.
+"""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rvd_dynamics.commands.codes import REASON_EMPTY
+from rvd_dynamics.commands.levels import LevelForm
+from rvd_dynamics.diagram.run import Run
+from rvd_dynamics.motion.orbit import OrbitParams, StartParams
+from rvd_dynamics.world.plants.relative import TRUTH_MODELS
+from rvd_dynamics.world.settings import DynamicsParams, SensorParams
+from rvd_dynamics.world.spacecraft.thrusters import execute
+from rvd_missions.lunar_approach.end import ended
+from rvd_missions.lunar_approach.signals import DOWNLINK, MEASUREMENT, TRUTH
+
+
+class SpacecraftDynamics:
+    """The chaser's true motion relative to the target."""
+
+    def __init__(self, settings: DynamicsParams, run: Run, orbit: OrbitParams, start: StartParams,
+                 form: LevelForm, scatter: NDArray, execution: NDArray, batch: tuple) -> None:
+        self._model = TRUTH_MODELS[settings.truth_model](orbit, run.step_s)
+        self._form, self._last_step = form, run.last_step
+        self._noise, self._noise_fraction = execution, settings.execution_noise_fraction
+        self._state = settings.start(start, scatter)
+        self._acceleration = np.full((*batch, 3), np.nan)
+
+    def step(self, k: int, thrust: Any) -> dict[str, Any]:
+        """Return the truth of step k, under the thrust of the step before."""
+        if k > 0:
+            self._acceleration = execute(self._form.effect(thrust.command),
+                                         self._noise[..., k - 1, :], self._noise_fraction)
+            self._state = self._model.advance(self._state, self._acceleration)
+        return {'truth': TRUTH(state=self._state, acceleration=self._acceleration,
+                               final=ended(k, self._state, self._last_step))}
+
+
+class RelativeSensor:
+    """What the chaser measures, and what it sends down."""
+
+    def __init__(self, settings: SensorParams, noise: NDArray, wanted: frozenset[str]) -> None:
+        self._sensor, self._noise = settings.selected, noise
+        self._acknowledges = 'downlink.accepted' in wanted
+        self._accepted = 0
+
+    def step(self, k: int, truth: Any, thrust: Any) -> dict[str, Any]:
+        """Return the measurement of step k and the downlink that carries it."""
+        measured = self._sensor.measure(truth.state, self._noise[..., k, :])
+        told = self._acknowledged(thrust) if self._acknowledges else {}
+        return {'measurement': MEASUREMENT(state=measured),
+                'downlink': DOWNLINK(state=measured, **told)}
+
+    def _acknowledged(self, thrust: Any) -> dict[str, Any]:
+        """Return the last command that the guard accepted, and why it refused one just now."""
+        refusal = 0
+        if thrust.sequence is not None:
+            refusal = 0 if thrust.sequence else int(thrust.reason)      # none was accepted: why
+            self._accepted = max(self._accepted, int(thrust.sequence))
+        return {'accepted': self._accepted, 'refusal': 0 if refusal == REASON_EMPTY else refusal}
