@@ -112,3 +112,10 @@ def test_a_session_without_a_rated_flight_is_refused(tmp_path):
     (tmp_path / 'session.json').write_text('{"title": "t", "conditions": {}}')
     with pytest.raises(ValueError, match='no rated flight'):
         write_session_report(tmp_path)
+
+
+def test_the_words_are_those_of_the_mission_that_was_flown(session):
+    for file in session.glob('P*/*/verdict.json'):
+        file.write_text(json.dumps({**json.loads(file.read_text()), 'mission': 'of_tomorrow'}))
+    with pytest.raises(ValueError, match="no mission 'of_tomorrow' is installed"):
+        write_session_report(session)

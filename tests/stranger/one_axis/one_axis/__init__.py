@@ -31,4 +31,5 @@ MISSION = Mission(
     diagram='one_axis.diagram:diagram',
     judge='one_axis.judge:Judge',
     figures='one_axis.figures:FIGURES',
+    display='one_axis.display:display',
 )

@@ -6,17 +6,14 @@ import json
 from pathlib import Path
 from typing import Any, NamedTuple
 
-import matplotlib
-
 from rvd_campaign.campaign import results, stats
 from rvd_campaign.campaign.engine import open_folder, RESULTS
-from rvd_campaign.campaign.figures import FIGURES, NEEDED, Results
+from rvd_campaign.campaign.figures import needed, Results, shown_by
 from rvd_campaign.campaign.spec import CampaignError
 from rvd_campaign.campaign.summary import SUMMARY
 from rvd_campaign.report.page import Drawn, render
 from rvd_dynamics.recording import whole
-from rvd_dynamics.recording.drawing import STYLE as LOOK
-from rvd_dynamics.recording.drawing import svg
+from rvd_dynamics.recording.drawing import CampaignFigure, svg
 
 LONGEST = 60                            # rows of a table that a page shows
 DASH = '\u2013'
@@ -54,16 +51,10 @@ def read(folder: Path) -> Results:
         if not {'measures', 'reasons'} <= set(summary):
             raise CampaignError(f'{folder / SUMMARY} is of another version of this software, '
                                 'which alone can report on it')
-        return Results(campaign, summary, dict(results.tables(folder / RESULTS, NEEDED)))
+        return Results(campaign, summary, dict(results.tables(folder / RESULTS, needed(campaign))))
     except OSError:
         raise CampaignError(f'{folder} has no results yet: finish it with ./rvd campaign '
                             f'--resume {folder}') from None
-
-
-def picture(folder: Path, name: str, path: Path) -> None:
-    """Write a figure of `FIGURES` as a PNG on white, for pages that cannot hold a drawing."""
-    with matplotlib.rc_context({**LOOK, 'savefig.facecolor': 'white'}):
-        FIGURES[name][1](read(folder))[0].savefig(path, dpi=110, format='png')
 
 
 def page(made: Results) -> str:
@@ -78,7 +69,7 @@ def page(made: Results) -> str:
                ('', f'{campaign.runs:,}', ' runs each'), ('seed ', campaign.seed, '')],
         conditions=_conditions(summary, campaign.reference), differences=_differences(summary),
         replicates=_replicates(summary),
-        figures=[_figure(name, made) for name in campaign.figures or ('success',)],
+        figures=[_figure(name, figure, made) for name, figure in shown_by(campaign).items()],
         endings=_endings(summary, averaged), averaged=bool(averaged), decided=_decided(summary),
         name=campaign.name, runs=campaign.runs, first=campaign.conditions[0].name,
         result_hash=summary['result_hash'], source=summary['identity']['code'][:12],
@@ -178,13 +169,11 @@ def _decided(summary: dict[str, Any]) -> Table:
     return Table(['share of steps', *(BY.get(who, who) for who in by)], rows)
 
 
-def _figure(name: str, made: Results) -> Drawn:
-    title, draw = FIGURES[name]
+def _figure(name: str, figure: CampaignFigure, made: Results) -> Drawn:
     said = []
 
     def drawing() -> Any:
-        figure, caption = draw(made)
+        drawn, caption = figure.draw(made)
         said.append(caption)
-        return figure
-    picture = svg(name, drawing)
-    return Drawn(title, picture, said[0], tall=name in ('tracks', 'landing'))
+        return drawn
+    return Drawn(figure.title, svg(name, drawing), said[0], figure.tall)

@@ -15,9 +15,11 @@ from typing import Any
 
 from rvd_campaign.campaign.stats import wilson
 from rvd_campaign.report.page import render
+from rvd_dynamics.diagram.in_process import judge_of
 from rvd_dynamics.diagram.judge import declared
-from rvd_dynamics.judge import Judge
-from rvd_dynamics.mission import Mission
+from rvd_dynamics.diagram.mission import find
+from rvd_dynamics.diagram.run import DEFAULT_MISSION
+from rvd_dynamics.diagram.scenario import Scenario
 from rvd_dynamics.recording import whole
 from rvd_groundstation.console.desk import RATINGS, WEIGHTS
 
@@ -60,7 +62,7 @@ def write_session_report(folder: Path) -> Path:
         writer.writerows(flights)
     table = conditions(flights, list(session['conditions']))
     report = folder / 'report.html'
-    whole.write_text(report, _page(session, table, flights, left_out))
+    whole.write_text(report, _page(session, table, flights, left_out, _known(folder)))
     return report
 
 
@@ -83,6 +85,14 @@ def read_flights(folder: Path) -> tuple[list[dict[str, Any]], int]:
             'cooper_harper': ratings['cooper_harper']['rating'], 'tlx': ratings['tlx']['mean'],
             'tlx_weighted': _weighted(ratings, file.parent.parent)})
     return rows, left_out
+
+
+def _known(folder: Path) -> dict[str, dict[str, Any]]:
+    """Return words, unit and digits of the measures of the missions that were flown."""
+    missions = {json.loads(file.read_text(encoding='utf-8')).get('mission', DEFAULT_MISSION)
+                for file in folder.glob('P*/*/verdict.json')}
+    return {name: said for mission in sorted(missions) for name, said in declared(
+        judge_of(Scenario(mission, find(mission), {})).measures).items()}
 
 
 def _measures(flights: list[dict[str, Any]]) -> list[str]:
@@ -158,9 +168,9 @@ def _row(c: Condition, measures: dict[str, dict[str, Any]], weighted: bool
     return [*cells, _load(c.tlx_weighted or (None, None))] if weighted else cells
 
 
-def _tabled(table: list[Condition]) -> dict[str, dict[str, Any]]:
+def _tabled(table: list[Condition], known: dict[str, dict[str, Any]]
+            ) -> dict[str, dict[str, Any]]:
     """Return words, unit and digits of each measure that the table has means of."""
-    known = declared(Judge(Mission()).measures)
     names = dict.fromkeys(name for condition in table for name in condition.means)
     return {name: known.get(name, {'words': name, 'unit': '', 'digits': 4}) for name in names}
 
@@ -170,7 +180,7 @@ def _load(spread: tuple) -> str:
 
 
 def _page(session: dict[str, Any], table: list[Condition], flights: list[dict[str, Any]],
-          left_out: int) -> str:
+          left_out: int, known: dict[str, dict[str, Any]]) -> str:
     compared = None
     if len(table) == 2:
         first, second = table[0].name, table[1].name
@@ -178,7 +188,7 @@ def _page(session: dict[str, Any], table: list[Condition], flights: list[dict[st
         compared = {'first': first, 'second': second, 'both': both, 'only_first': only_first,
                     'only_second': only_second, 'neither': neither}
     weighted = any(c.tlx_weighted is not None for c in table)
-    measures = _tabled(table)
+    measures = _tabled(table, known)
     return render(
         'people.html.j2', title=session['title'], note=session.get('note', ''),
         volunteers=len({f['volunteer'] for f in flights}), flights=len(flights),

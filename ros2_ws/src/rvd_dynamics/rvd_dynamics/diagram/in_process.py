@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rvd_dynamics.diagram.block import Block
-from rvd_dynamics.diagram.build import made
+from rvd_dynamics.diagram.build import made, needs
 from rvd_dynamics.diagram.control import Change, Control
 from rvd_dynamics.diagram.diagram import DiagramError
 from rvd_dynamics.diagram.scenario import Scenario
@@ -79,6 +79,7 @@ def fly(scenario: Scenario, runs: Sequence[int], record: bool | Sequence[str] = 
     """
     if len(runs) == 0:
         raise ValueError('runs must name at least one run, got none')
+    check(scenario)
     if draws is None or record:                     # a history is of whole runs
         draws = draw(scenario, runs, whole=bool(record))
     if draws.key != draws_key(scenario, runs):
@@ -110,6 +111,43 @@ def _with_late_ones(scenario: Scenario, batch: Batch, ended: NDArray[np.bool_],
 
     return Batch(batch.runs, merged(batch.end_step, whole.end_step),
                  merged(batch.verdict, whole.verdict), merged(batch.columns, whole.columns), None)
+
+
+def check(scenario: Scenario) -> None:
+    """
+    Build what the blocks of a scenario ask for, without flying.
+
+    Raises
+    ------
+    ValueError
+        If a part is refused (a tape, for instance), or something from outside takes part, which
+        only a graph has.
+    """
+    diagram = scenario.diagram
+    for block in diagram.blocks:
+        for read in block.reads.values():
+            if read.signal.name not in diagram.writer_of:
+                outside = ', '.join(external.name for external in diagram.externals
+                                    if read.signal.name in external.writes)
+                raise ValueError(f'{_operator(scenario)}{block.name} reads {read.signal.name} '
+                                 f'from {outside}, which takes a graph and a wall clock: in one '
+                                 'process only blocks take part')
+        for name in needs(block.make):
+            if name in scenario.mission.parts:
+                scenario.part(name)
+
+
+def _operator(scenario: Scenario) -> str:
+    """Return the beginning of a refusal: the operator, where the mission has one."""
+    if not scenario.has_shared('operator'):
+        return ''
+    return f'operator {scenario.part("operation").operator}: '
+
+
+def judge_of(scenario: Scenario, batch: tuple = ()) -> Any:
+    """Return a judge of the scenario's mission for a batch."""
+    return made(scenario.mission.judge, lambda name: batch if name == 'batch' else
+                scenario.part(name), f'judge of mission {scenario.mission.name}')
 
 
 # -- chance ----------------------------------------------------------------------------------
@@ -173,7 +211,7 @@ class Loop:
         self._blocks = {block.name: self._made(block, runs, draws) for block in self._diagram.order}
         self._plan = [self._planned(block) for block in self._diagram.order]
         self._delayed = [slot for slot in self._slots.values() if slot.depth]
-        self.judge = made(scenario.mission.judge, self._available({}), 'judge')
+        self.judge = judge_of(scenario, self._batch)
         self._truth = self._slots[self._diagram.truth.name]
         self.ended = np.zeros(len(runs), dtype=bool)
         self.end_step = np.full(len(runs), -1, dtype=np.int64)
@@ -307,8 +345,11 @@ def _stacked(signal: Signal, values: list, end_step: NDArray[np.int64], batch: t
     made_of = {}
     for part in signal.parts:
         column = [getattr(value, part.name) for value in values]
-        if part.dtype == 'O' or any(v is None for v in column):
+        if any(v is None for v in column):
             made_of[part.name] = None
+            continue
+        if part.dtype == 'O':                   # the same in all rows: a list, step by step
+            made_of[part.name] = column
             continue
         whole = np.empty((len(values), *batch, *part.shape), dtype=part.dtype)
         for at, v in zip(whole, column):

@@ -48,6 +48,10 @@ class Scenario:
     _settings: dict[tuple[str, str], Any] = field(default_factory=dict, repr=False, compare=False)
     _parts: dict[str, Any] = field(default_factory=dict, repr=False, compare=False)
 
+    def __reduce__(self) -> tuple:
+        """Travel to another process as it was given; what is built of it is built again there."""
+        return Scenario, (self.name, self.mission, self.sections)
+
     def check(self) -> 'Scenario':
         """
         Build all settings, so that nothing is found out later; return the scenario.

@@ -43,6 +43,8 @@ STYLE = {
 WIDTH_IN = 9.6                          # of every figure in a report
 MOST_DOTS = 500                         # of one kind in one panel
 DASHED = (0, (5, 3))
+LINES = [(BLUE, '-', 'o'), (VERMILLION, DASHED, 's'), (GREEN, (0, (8, 2, 1, 2)), '^'),
+         (ORANGE, (0, (2, 1.5)), 'D'), (INK, '-', 'v'), (MUTED, DASHED, 'P')]   # of conditions
 CORNER = {'loc': 'upper right', 'bbox_to_anchor': (0.99, 1.0), 'columnspacing': 1.2}
 ABOVE = {'loc': 'lower right', 'bbox_to_anchor': (1.0, 1.0), 'borderaxespad': 0.2}
 
@@ -76,11 +78,36 @@ class Figure:
         return tuple(topic for topic in self.signals if not run.has(topic))
 
 
-def canvas(height_in: float, top: float = 0.32, **spaces: float) -> 'Canvas':
+@dataclass(frozen=True)
+class CampaignFigure:
+    """
+    A figure of a campaign.
+
+    Attributes
+    ----------
+    draw : callable
+        Takes the results of the campaign (`rvd_campaign.campaign.figures.Results`: conditions
+        with their scenarios, `summary`, result `tables` by condition) and returns a matplotlib
+        figure, `canvas` for one, and its caption.
+    title : str
+        A few words above it.
+    columns : tuple of str
+        Columns of the result table that it is drawn from.
+    tall : bool
+        May be broken between two printed pages.
+    """
+
+    draw: Callable[[Any], tuple[Any, str]]
+    title: str
+    columns: tuple[str, ...] = ()
+    tall: bool = False
+
+
+def canvas(height_in: float, top: float = 0.32, left: float = 0.07, **spaces: float) -> 'Canvas':
     """Return an empty figure; all have the same margins, so that time axes stand in line."""
     from matplotlib.figure import Figure as Canvas
     made = Canvas(figsize=(WIDTH_IN, height_in))
-    made.subplots_adjust(left=0.07, right=0.985, bottom=0.47 / height_in,
+    made.subplots_adjust(left=left, right=0.985, bottom=0.47 / height_in,
                          top=1.0 - top / height_in, **spaces)
     return made
 

@@ -118,8 +118,9 @@ def display_of(scenario: Scenario) -> MissionDisplay:
     """
     Return what the mission of a scenario tells the console.
 
-    It is made of what its constructor names: `facts` (`RunFacts`), and parts of the scenario. A
-    mission that names no display is shown with instruments alone.
+    The mission names a `MissionDisplay`, or a function that returns one or a `Display`; either is
+    given what its parameters name: `facts` (`RunFacts`), and parts of the scenario. A mission that
+    names none is shown with instruments alone.
 
     Raises
     ------
@@ -132,6 +133,8 @@ def display_of(scenario: Scenario) -> MissionDisplay:
     provider = made(mission.display,
                     lambda name: facts if name == 'facts' else scenario.part(name),
                     f'mission {mission.name}: display')
+    if isinstance(provider, Display):           # nothing is derived
+        provider = MissionDisplay(facts, provider)
     _check(mission.name, provider, on_ground(scenario.diagram))
     return provider
 

@@ -1,5 +1,7 @@
 """
-Columns of a campaign's table beyond the judge's measures: where it failed, and who decided.
+Columns of a campaign's table: what the judge measures, where a run failed, and who decided.
+
+Where and when a run left the corridor stands in the columns of failure, not in the measures'.
 """
 
 from typing import Any
@@ -9,7 +11,15 @@ from numpy.typing import NDArray
 
 from rvd_dynamics.commands.codes import BY_AUTO, BY_BLEND, BY_NOBODY, BY_PILOT
 
-COLUMNS = {                             # name: type
+ORDER = (
+    'run', 'success', 'reason', 'duration_s',
+    'failed_at_s', 'failed_x_m', 'failed_y_m', 'failed_z_m',    # NaN where a run succeeded
+    'x_rate_m_s', 'offset_m', 'lateral_rate_m_s',
+    'y_m', 'z_m', 'y_rate_m_s', 'z_rate_m_s',                   # at the docking plane, or NaN
+    'min_corridor_margin_m', 'delta_v_m_s',
+    'steps', 'steps_nobody', 'steps_pilot', 'steps_auto', 'steps_blend', 'steps_changed')
+
+COLUMNS = {                             # those that are no measures: type
     'failed_at_s': 'f8', 'failed_x_m': 'f8', 'failed_y_m': 'f8', 'failed_z_m': 'f8',
     'y_m': 'f8', 'z_m': 'f8', 'y_rate_m_s': 'f8', 'z_rate_m_s': 'f8',
     'steps': 'i8', 'steps_nobody': 'i8', 'steps_pilot': 'i8', 'steps_auto': 'i8',

@@ -49,13 +49,14 @@ def _side_view(axes: 'Axes', run: Recording, lateral: int) -> None:
         axes.plot(x, sign * inner, color=ORANGE, linewidth=1.8,
                   label='control boundary' if sign > 0 else None)
         axes.fill_between(x, sign * inner, sign * wall, color=ORANGE, alpha=0.10, linewidth=0)
-    measured = _shown(run.of(MEASUREMENT).state, lateral)
-    axes.plot(*measured, linestyle='', marker='.', markersize=2.2, color=MUTED, alpha=0.7,
-              label='measured', markevery=every(measured[0]))
+    if run.has(MEASUREMENT.name):
+        measured = _shown(run.of(MEASUREMENT).state, lateral)
+        axes.plot(*measured, linestyle='', marker='.', markersize=2.2, color=MUTED, alpha=0.7,
+                  label='measured', markevery=every(measured[0]))
     axes.plot(*_shown(state, lateral), color=INK, linewidth=2.0, label='true')
-    axes.plot(*_shown(run.of(PREDICTION).state, lateral), **PREDICTED, label='predicted')
-    if len(state):
-        axes.plot(state[0, 0], state[0, lateral], 'o', color=INK, markersize=5, label='start')
+    if run.has(PREDICTION.name):
+        axes.plot(*_shown(run.of(PREDICTION).state, lateral), **PREDICTED, label='predicted')
+    axes.plot(state[0, 0], state[0, lateral], 'o', color=INK, markersize=5, label='start')
     _mark_exit(axes, run, lateral)
     widest = float(wall.max())
     seen = np.abs(_shown(state, lateral)[1])

@@ -218,10 +218,17 @@ class Stick(Codec):
 
     def encode(self, k: int, value: Any) -> bytes:
         """Return the serialised message of a value."""
-        axes, buttons = value.raw or stick_axes(
-            [level / HIGHEST for level in value.command.tolist()], True, self._stick)
+        axes, buttons = value.raw or self._moved(value)
         return _stick_layout(len(axes), len(buttons)).pack(
             *divmod(k * self.run.step_ns, NS_PER_S), *axes, *buttons)
+
+    def _moved(self, value: Any) -> tuple[list[float], list[int]]:
+        """Return axes and buttons of a stick at these levels; of one that nobody holds if invalid."""
+        axes, buttons = stick_axes([level / HIGHEST for level in value.command.tolist()],
+                                   bool(value.valid), self._stick)
+        if not value.valid and self._stick.deadman_button < 0:      # no button to say it with
+            axes = [NAN] * len(axes)
+        return axes, buttons
 
     def decode(self, k: int, message: Joy) -> Any:
         """Return the value in a message."""

@@ -45,7 +45,7 @@ class Layout:
 
     def __init__(self, kind: type, strings: dict[str, str] | None = None,
                  sizes: dict[str, int] | None = None) -> None:
-        self._strings, self._sizes = strings or {}, sizes or {}
+        self._kind, self._strings, self._sizes = kind.__name__, strings or {}, sizes or {}
         self._format, self._at = '<4s', 0
         self.fields: dict[str, str] = {}        # path of each number that `pack` takes: its code
         self._fixed: list[tuple[int, Any]] = []     # place among all values, what stands there
@@ -71,7 +71,18 @@ class Layout:
         return runs
 
     def pack(self, *numbers: Any) -> bytes:
-        """Return the serialised message with these numbers, in the order of `fields`."""
+        """
+        Return the serialised message with these numbers, in the order of `fields`.
+
+        Raises
+        ------
+        ValueError
+            If there are too many or too few.
+        struct.error
+            If one does not fit its field.
+        """
+        if len(numbers) != len(self._places):
+            raise ValueError(f'{self._kind} takes {len(self._places)} numbers, got {len(numbers)}')
         values = self._template.copy()
         for there, here in self._runs:
             values[there] = numbers[here]

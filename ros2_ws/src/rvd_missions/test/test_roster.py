@@ -1,0 +1,233 @@
+"""Who takes part in a run, read from the diagram: closed, without a deadlock, and who owes."""
+
+from functools import lru_cache
+from itertools import product
+import shlex
+
+from hypothesis import given
+from hypothesis import strategies as st
+import pytest
+
+from rvd_dynamics.diagram.block import GROUND
+from rvd_dynamics.diagram.diagram import GROUPINGS
+from rvd_dynamics.diagram.roster import COMMON, lines, listed, RECORDER_LEAD, Roster, RUN_TOPICS
+from rvd_dynamics.diagram.scenario import parse
+from rvd_groundstation.guidance import LAWS
+from rvd_groundstation.operators.operation import JOY_INPUTS, OPERATORS
+
+RUNS = list(product(OPERATORS, JOY_INPUTS, sorted(LAWS), GROUPINGS))
+
+
+@lru_cache(maxsize=None)
+def scenario(operator, joy_input, law, processes):
+    return parse(f"""
+/**: {{ros__parameters: {{pace: realtime, operator: {operator}, joy_input: {joy_input},
+                          processes: {processes}}}}}
+auto_controller: {{ros__parameters: {{law: {law}}}}}
+""", 'played')
+
+
+@lru_cache(maxsize=None)
+def whole(run):
+    """Return the roster of a whole run: blocks, watchers, markers and externals."""
+    return listed(scenario(*run), headless=False)
+
+
+@lru_cache(maxsize=None)
+def ring(run):
+    """Return the roster of the nodes without which a run cannot step."""
+    return Roster(scenario(*run))
+
+
+@pytest.fixture(params=RUNS, ids='-'.join)
+def run(request):
+    return request.param
+
+
+# -- topics ------------------------------------------------------------------------------------
+
+def test_every_topic_of_a_node_is_in_the_table_of_topics(run):
+    roster = whole(run)
+    for name in roster.names:
+        assert roster.reads(name) | roster.writes(name) <= set(roster.topics), name
+
+
+def test_every_topic_has_one_writer_among_the_nodes_of_a_run(run):
+    roster = whole(run)
+    for topic in set(roster.topics) - set(COMMON):
+        assert len([n for n in roster.names if topic in roster.writes(n)]) == 1, topic
+        assert roster.expected(topic)[0] == 1, topic
+
+
+def test_every_input_is_written_by_the_ring_or_by_whoever_holds_the_stick(run):
+    roster = ring(run)
+    written = {t for name in roster.names for t in roster.emits(name)}
+    outside = {t for external in roster.externals.values() for t in external.writes}
+    assert outside == ({'/joy'} if run[0] in ('console', 'joy') else set())
+    for name in roster.names:
+        block = roster.blocks[name]
+        assert {read.signal.name for read in block.reads.values()} <= written | outside, name
+
+
+def test_what_a_node_writes_at_each_firing_is_part_of_what_it_writes(run):
+    roster = whole(run)
+    for name in roster.names:
+        assert set(roster.emits(name)) <= roster.writes(name)
+        assert not set(roster.emits(name)) & (set(RUN_TOPICS) - {'/clock'})
+
+
+def test_nothing_but_the_guard_writes_thrust_and_no_ground_node_reads_what_is_out_there(run):
+    roster = whole(run)
+    assert [n for n in roster.names if '/onboard/thruster_command' in roster.writes(n)] == [
+        'onboard_guard']
+    nodes = roster.blocks | roster.externals
+    ground = [name for name, node in nodes.items() if node.segment == GROUND]
+    assert {'state_predictor', 'auto_controller', 'command_blender'} <= set(ground)
+    for name in ground:
+        assert not [t for t in roster.reads(name) if t.startswith(('/truth', '/onboard'))], name
+
+
+@pytest.mark.parametrize('operator, joy_input, fires, watches', [
+    ('model', 'stepped', True, False), ('console', 'held', False, True),
+    ('joy', 'held', False, True), ('none', 'stepped', False, False)])
+def test_a_law_that_uses_the_stick_gets_it_as_the_blender_does(operator, joy_input, fires,
+                                                               watches):
+    seeing = ring((operator, joy_input, 'barrier', 'blocks'))
+    for node in ('auto_controller', 'command_blender'):
+        sticks = [r for r in seeing.blocks[node].reads.values() if r.signal.name == '/joy']
+        assert [r.held for r in sticks] == ([watches] if fires or watches else [])
+        assert all(r.delay == 0 for r in sticks)
+    blind = ring((operator, joy_input, 'corridor_apf', 'blocks'))
+    assert '/joy' not in blind.reads('auto_controller')
+
+
+# -- processes ---------------------------------------------------------------------------------
+
+def test_every_node_has_one_process_and_externals_have_their_own(run):
+    roster = whole(run)
+    held = [node for process in roster.processes for node in process.nodes]
+    assert sorted(held) == sorted(roster.names)
+    for name in roster.externals:
+        assert roster.process_of[name] == name
+    groups = [p for p in roster.processes if p.name not in roster.externals]
+    if run[3] == 'blocks':
+        assert all(p.nodes == (p.name,) and not p.grouped for p in groups)
+    else:
+        assert all(p.grouped for p in groups)
+        assert [p.name for p in groups] == (
+            ['one'] if run[3] == 'one' else ['world', 'onboard', 'link', 'ground', 'watch'])
+
+
+def test_the_bring_up_gets_one_line_a_process_that_a_shell_can_read(run):
+    roster = whole(run)
+    for process, line in zip(roster.processes, lines(roster, '/run/with a blank'), strict=True):
+        name, package, executable, *arguments = shlex.split(line)
+        assert (name, package, executable) == process[:3]
+        assert f'nodes:=[{",".join(roster.names)}]' in arguments
+        told = [a for a in arguments if a.startswith(('__node:=', 'group:='))]
+        assert told == [f'group:={name}' if process.grouped else f'__node:={name}']
+        assert ('bag_recorder:bag_dir:=/run/with a blank/bag' in arguments) == (
+            'bag_recorder' in process.nodes)
+
+
+EXPECTED = {    # processes, topic: (publishers, subscriptions of other processes)
+    ('blocks', '/truth/relative_state'): (1, 4),        # sensor, monitor, recorder, markers
+    ('segments', '/truth/relative_state'): (1, 1),      # the watchers share a process
+    ('one', '/truth/relative_state'): (1, 0),
+    ('blocks', '/ground/prediction'): (1, 4),           # pilot, law, recorder, markers
+    ('segments', '/ground/prediction'): (1, 1),
+    ('blocks', '/ground/uplink'): (1, 2),               # forward link, recorder
+    ('segments', '/ground/uplink'): (1, 2),
+    ('one', '/ground/uplink'): (1, 0),
+    ('blocks', '/onboard/thruster_command'): (1, 3),    # dynamics, sensor, recorder
+    ('segments', '/onboard/thruster_command'): (1, 2),
+    ('blocks', '/run/end'): (1, 11),                    # all but the dynamics, which write it
+    ('segments', '/run/end'): (1, 4),
+    ('one', '/run/end'): (1, 0),
+    ('blocks', '/run/recorded_step'): (1, 1),
+    ('segments', '/run/recorded_step'): (1, 1),
+    ('one', '/run/recorded_step'): (1, 0),
+}
+
+
+@pytest.mark.parametrize('processes, topic', EXPECTED, ids=map(' '.join, EXPECTED))
+def test_expected_endpoints_are_those_of_other_processes(processes, topic):
+    roster = whole(('model', 'stepped', 'corridor_apf', processes))
+    assert len(roster.names) == 12
+    assert roster.expected(topic) == EXPECTED[processes, topic]
+
+
+# -- the data flow, played by hand -------------------------------------------------------------
+
+class Played:
+    """Processes that fire their blocks, each when its own inputs are there."""
+
+    def __init__(self, roster, steps, dead=None, dead_from=0):
+        self.roster, self.steps = roster, steps
+        self.dead, self.dead_from = dead, dead_from
+        self.count = dict.fromkeys(roster.names, 0)
+        self.writer = {t: n for n in roster.names for t in roster.emits(n)}
+
+    def may_fire(self, name):
+        k = self.count[name]
+        if k >= self.steps or name == self.dead and k >= self.dead_from:
+            return False
+        return all(read.held or read.signal.name not in self.writer or k < read.delay
+                   or self.count[self.writer[read.signal.name]] > k - read.delay
+                   for read in self.roster.blocks[name].reads.values())
+
+    def ready(self):
+        """Return the processes in which a block may fire."""
+        return [p for p in self.roster.processes if any(map(self.may_fire, p.nodes))]
+
+    def let(self, process):
+        """Let a process fire what it can, in its order, as long as it can."""
+        moved = True
+        while moved:
+            moved = False
+            for name in process.nodes:
+                while self.may_fire(name):
+                    self.count[name] += 1
+                    moved = True
+
+    def last_steps(self):
+        return {topic: self.count[name] - 1 for name in self.count
+                for topic in self.roster.emits(name)}
+
+
+@given(st.sampled_from(RUNS), st.data())
+def test_every_block_fires_once_per_step_without_a_deadlock(run, data):
+    """Whichever process has its turn next, all of them get through."""
+    played = Played(ring(run), steps=5)
+    while ready := played.ready():
+        played.let(data.draw(st.sampled_from(ready)))
+    assert played.count == dict.fromkeys(played.roster.names, 5)
+
+
+@given(st.sampled_from(RUNS), st.data())
+def test_a_node_that_stops_is_the_one_that_owes(run, data):
+    roster = ring(run)
+    dead = data.draw(st.sampled_from(roster.names))
+    until = data.draw(st.integers(0, 20))
+    played = Played(roster, until + 30, dead, until)
+    while ready := played.ready():
+        played.let(ready[0])
+    last = played.last_steps()
+    if run[0] in ('console', 'joy') and run[1] == 'stepped':
+        last['/joy'] = until + 30               # the hand has answered every step
+    if all(read.held for block in roster.blocks.values() for read in block.reads.values()
+           if read.signal.name in roster.emits(dead)):          # nobody waits for this hand
+        assert min(n for name, n in played.count.items() if name != dead) == until + 30
+        assert dead in roster.who_owes(last)
+    else:
+        assert roster.who_owes(last) == [dead]
+
+
+@pytest.mark.parametrize('processes', GROUPINGS)
+def test_a_recorder_that_is_far_behind_owes(processes):
+    roster = whole(('model', 'stepped', 'corridor_apf', processes))
+    last = {topic: 80 for name in roster.names for topic in roster.emits(name)}
+    last['/run/recorded_step'] = 80 - RECORDER_LEAD
+    assert 'bag_recorder' in roster.who_owes(last)
+    last['/run/recorded_step'] += 1
+    assert 'bag_recorder' not in roster.who_owes(last)
