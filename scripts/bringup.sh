@@ -47,18 +47,17 @@ stop() { kill -TERM "${!name_of[@]}" 2>/dev/null; }
 trap stop INT TERM
 
 # One line a process: its name, package and executable, and what it is told besides the scenario.
-list=$(python3 -m rvd_dynamics.diagram.roster "$scenario" "$run" $headless) || exit 2
+# Whoever has asked the mission already (`./rvd fly`) hands the list over.
+list=${RVD_PROCESSES:-$(python3 -m rvd_dynamics.diagram.roster "$scenario" "$run" $headless)} || exit 2
 while read -r name package program arguments; do
-    if ! exe=$(executable "$package" "$program"); then
-        failed=2
-        continue
-    fi
+    executable "$package" "$program" >/dev/null || exit 2          # before anything has started
+done <<<"$list"
+while read -r name package program arguments; do
     eval "own=($arguments)"
-    "$exe" --ros-args --params-file "$scenario" "${own[@]}" >"$run/logs/$name.log" 2>&1 </dev/null &
+    "$(executable "$package" "$program")" --ros-args --params-file "$scenario" "${own[@]}" >"$run/logs/$name.log" 2>&1 </dev/null &
     name_of[$!]=$name
     echo "start $name $!"
 done <<<"$list"
-[ "$failed" = 0 ] || stop
 
 while [ ${#name_of[@]} -gt 0 ]; do
     pid=

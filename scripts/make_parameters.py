@@ -1,14 +1,16 @@
 """
-Make docs/parameters.md again: every parameter of a scenario, read from the settings classes.
+Make docs/parameters.md again: every parameter of a scenario of the lunar approach, read from the
+settings classes.
 
     ./rvd shell python scripts/make_parameters.py
 """
 
-from itertools import groupby
 from pathlib import Path
 from typing import Any
 
+from rvd_dynamics.diagram.mission import find
 from rvd_dynamics.diagram.params import Bounds, default_of, leaves
+from rvd_dynamics.diagram.scenario import sections_of, SHARED
 
 PAGE = Path(__file__).resolve().parents[1] / 'docs' / 'parameters.md'
 INTRODUCTION = '''\
@@ -16,7 +18,7 @@ INTRODUCTION = '''\
 
 <!-- Made by `./rvd shell python scripts/make_parameters.py` from the settings classes: edit those. -->
 
-Every parameter that a scenario can set, by section of the file. What is left out keeps its default. Dots in
+Every parameter that a scenario of the lunar approach can set, by section of the file. What is left out keeps its default. Dots in
 a key are levels of the file: `eq25.eta` of `command_blender` is written as
 
 ```yaml
@@ -32,23 +34,32 @@ same about its parameters: `ros2 param describe /command_blender eq25.eta`.
 '''
 
 
-def sections() -> dict[str, type]:
-    """Return the settings class of each section of a scenario."""
-    from rvd_campaign.scenario import SETTINGS
-    return SETTINGS
+def sections() -> dict[str, list[tuple[str, type]]]:
+    """Return the settings classes of each section of a scenario, with the prefixes of their keys."""
+    return sections_of(find('lunar_approach'))
 
 
 def page() -> str:
     """Return the text of docs/parameters.md; sections with the same settings share a table."""
-    parts = [INTRODUCTION]
-    for cls, names in groupby(sections(), key=sections().get):
-        rows = [f'| `{key}` | `{spelled(default_of(field))}` | {allowed(field.metadata["bounds"])} '
-                f'| {escaped(field.metadata["doc"])} |' for key, field in leaves(cls)]
-        title = ', '.join(f'`{name}`' for name in names)
-        parts.append('\n'.join([
-            f'\n## {title}\n', summary(cls) + '\n', '| key | default | allowed | meaning |',
-            '| --- | --- | --- | --- |', *rows, '']))
+    parts, found = [INTRODUCTION], sections()
+    parts.append(f'\n## `{SHARED}`\n\nWhat several nodes must know. It stands here and nowhere else.\n')
+    for prefix, cls in found.pop(SHARED):
+        parts.append(f'\n{summary(cls)}\n\n{table(prefix, cls)}')
+    titles: dict[type, list[str]] = {}
+    for name, [(_, cls)] in found.items():
+        titles.setdefault(cls, []).append(f'`{name}`')
+    for cls, names in titles.items():
+        parts.append(f'\n## {", ".join(names)}\n\n{summary(cls)}\n\n{table("", cls)}')
     return ''.join(parts)
+
+
+def table(prefix: str, cls: type) -> str:
+    """Return the parameters of a settings class as a table."""
+    rows = [f'| `{prefix}{key}` | `{spelled(default_of(field))}` '
+            f'| {allowed(field.metadata["bounds"])} | {escaped(field.metadata["doc"])} |'
+            for key, field in leaves(cls)]
+    return '\n'.join(['| key | default | allowed | meaning |', '| --- | --- | --- | --- |',
+                      *rows, ''])
 
 
 def summary(cls: type) -> str:

@@ -7,8 +7,9 @@ Make the picture of the README again from a run.
 import sys
 from pathlib import Path
 
+from rvd_dynamics.recording.drawing import png
 from rvd_dynamics.recording.reader import read
-from rvd_campaign.report.figures import approach_picture
+from rvd_missions.lunar_approach.figures import approach
 
 IMAGES = Path(__file__).resolve().parents[1] / 'docs' / 'images'
 
@@ -16,4 +17,5 @@ if __name__ == '__main__':
     if len(sys.argv) != 2:
         sys.exit(__doc__.strip())
     IMAGES.mkdir(parents=True, exist_ok=True)
-    approach_picture(read(Path(sys.argv[1])), IMAGES / 'approach.png')
+    run = read(Path(sys.argv[1]))
+    png(IMAGES / 'approach.png', lambda: approach(run))

@@ -72,7 +72,14 @@ def flown_before(scenario: Path, seed: int) -> dict[str, NDArray]:
 
 def flown_now(scenario: Path, seed: int) -> dict[str, NDArray]:
     """Return the same as `flown_before`, as this tree flies it."""
-    return flown_before(scenario, seed)
+    from rvd_dynamics.diagram.in_process import fly
+    from rvd_dynamics.diagram.scenario import load
+    read = load(scenario).with_values('/**', seed=seed)
+    truth, thrust = read.diagram.truth.name, read.diagram.thrust
+    history = fly(read, [0], record=[truth, thrust]).history
+    return {'truth': history[truth].state[:, 0],
+            'acceleration': history[truth].acceleration[:, 0],
+            'executed': history[thrust].command[:, 0]}
 
 
 FLOWN = {'before': flown_before, 'now': flown_now}

@@ -86,4 +86,4 @@ def test_a_volunteer_is_led_through_a_session_and_the_report_counts_it(tmp_path,
     assert {sum(w.values()) for w in weights.values()} == {15} and len(weights) == 2
     page = (tmp_path / 'people' / 'report.html').read_text()
     assert 'NASA-TLX, weighted' in page
-    assert '1 volunteers, 2 rated' in page.replace('\n', ' ')
+    assert '1 volunteer, 2 rated' in page.replace('\n', ' ')

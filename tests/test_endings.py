@@ -93,7 +93,7 @@ def test_a_killed_recorder_loses_nothing_it_had_received(flying, tmp_path):
     os.kill(node_pid(process.pid, 'bag_recorder'), signal.SIGKILL)
     assert process.wait(60.0) == 2
     recording = read(tmp_path / 'run')
-    steps = recording.truth.step
+    steps = recording.of('/truth/relative_state').step
     assert len(steps) > 5 and list(steps) == list(range(len(steps)))
 
 

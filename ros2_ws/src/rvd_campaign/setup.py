@@ -13,6 +13,7 @@ setup(
         ('share/ament_index/resource_index/packages', ['resource/' + NAME]),
         ('share/' + NAME, ['package.xml']),
     ],
+    package_data={NAME: ['report/templates/*']},
     install_requires=['setuptools'],
     extras_require={'test': ['pytest']},         # by this `colcon test` knows to run pytest
     zip_safe=False,

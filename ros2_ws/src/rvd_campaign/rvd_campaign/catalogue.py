@@ -1,5 +1,5 @@
 """
-What the project ships to choose from: laws, scenarios, tapes, campaigns.
+What there is to choose from: installed missions; laws, scenarios, tapes and campaigns as shipped.
 """
 
 import os
@@ -45,7 +45,15 @@ def find(kind: str, name: str, suffixes: tuple[str, ...]) -> Path:
 
 
 def entries(what: str) -> Iterator[tuple[str, str]]:
-    """Yield (name, meaning) of the shipped laws, scenarios, tapes or campaigns."""
+    """Yield (name, meaning) of the missions, laws, scenarios, tapes or campaigns."""
+    if what == 'missions':
+        from rvd_dynamics.diagram import mission
+        for name in mission.installed():
+            try:
+                yield name, mission.find(name).title.rstrip('.')
+            except ValueError as error:         # one that is broken hides no other
+                yield name, f'({error})'
+        return
     if what == 'laws':
         from rvd_groundstation.guidance import LAWS
         for name, law in LAWS.items():

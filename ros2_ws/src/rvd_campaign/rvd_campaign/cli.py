@@ -149,8 +149,8 @@ def _add_calibrate(commands: argparse._SubParsersAction) -> None:
 
 def _add_list(commands: argparse._SubParsersAction) -> None:
     listing = commands.add_parser('list', help='list what there is to choose from',
-                                  description='List laws, scenarios, tapes or campaigns.')
-    listing.add_argument('what', choices=('laws', 'scenarios', 'tapes', 'campaigns'))
+                                  description='List missions, laws, scenarios, tapes or campaigns.')
+    listing.add_argument('what', choices=('missions', 'laws', 'scenarios', 'tapes', 'campaigns'))
     listing.set_defaults(run=_list)
 
 

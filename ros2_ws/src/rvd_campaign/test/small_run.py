@@ -9,10 +9,11 @@ from sensor_msgs.msg import Joy
 from std_msgs.msg import String, UInt64
 
 from rvd_dynamics.commands import codes
+from rvd_dynamics.diagram.roster import Roster
+from rvd_dynamics.diagram.ros.conversions import header_at, time_at, vector
+from rvd_dynamics.diagram.scenario import parse
 from rvd_dynamics.recording.bag_writer import BagWriter
 from rvd_dynamics.recording.rosbag2 import qos_words
-from rvd_dynamics.diagram.ros import graph
-from rvd_dynamics.diagram.ros.conversions import header_at, state_to_msg, time_at, vector
 from rvd_interfaces.msg import (
     LinkFrame, LinkStatus, Measure, PredictionScore, RelativeState, RunEvent, ThrustCommand,
     Verdict)
@@ -29,9 +30,10 @@ SCENARIO = '''# Scenario small as flown, every default resolved.
     mode: shared
     seed: 7
     corridor: {half_angle_deg: 3.0, docking_radius_m: 0.3}
-some_node:
-  ros__parameters: {text: "<script>alert(1)</script>"}
+joystick_replay:
+  ros__parameters: {tape: "<script>alert(1)</script>"}
 '''
+ROSTER = Roster(parse(SCENARIO, 'small'))
 
 
 def true_state(k: int) -> np.ndarray:
@@ -50,9 +52,12 @@ def step_messages(k: int) -> dict[str, object]:
     state = true_state(k)
 
     def states(source, ahead, value, covariance=None, valid=True):
-        return state_to_msg(k, now + ahead * STEP_NS, FRAME, source, value, valid=valid,
-                            final=k == LAST and source == 0, covariance=covariance,
-                            acceleration=(0.01, 0.0, 0.0) if source == 0 else (np.nan,) * 3)
+        known = [np.nan, *[0.0] * 35] if covariance is None else covariance.ravel()
+        return RelativeState(
+            header=header_at(now + ahead * STEP_NS, FRAME), step=k, source=source, valid=valid,
+            final=k == LAST and source == 0, position=vector(value[:3]), velocity=vector(value[3:]),
+            acceleration=vector((0.01, 0.0, 0.0) if source == 0 else (np.nan,) * 3),
+            covariance=known)
 
     def frame(hold, lost=-1):
         sent = k - hold
@@ -133,10 +138,11 @@ def messages(steps: int = LAST + 1) -> list[tuple[str, int, object]]:
     return made
 
 
-def write_run(run_dir: Path, given=None, close: bool = True, notes=None, unstored=()) -> Path:
+def write_run(run_dir: Path, given=None, close: bool = True, notes=None, unstored=(),
+              kinds={}) -> Path:
     """Write a run folder and return it; without `close` as if the recorder had died."""
     bag = BagWriter(run_dir / 'bag')
-    for topic, kind in graph.TOPICS.items():
+    for topic, kind in {**ROSTER.topics, **kinds}.items():
         bag.add_topic(topic, kind, qos_words(2000, True, True))
     for i, (topic, k, message) in enumerate(messages() if given is None else given):
         assert bag.write(topic, serialize_message(message), k * STEP_NS, i, i)

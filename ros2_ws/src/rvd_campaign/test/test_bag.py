@@ -7,12 +7,31 @@ from numpy.testing import assert_allclose, assert_array_equal
 import pytest
 from rosbags.rosbag2 import Reader
 import small_run
-from small_run import HOLD, LAST, LOST, write_run
+from small_run import HOLD, LAST, LOST, ROSTER, SCENARIO, write_run
+from std_msgs.msg import String
 
-from rvd_dynamics.diagram.judge import from_message
-from rvd_dynamics.recording import reader
-from rvd_dynamics.recording.reader import files_of, mission_of, read
 from rvd_dynamics.commands import codes
+from rvd_dynamics.diagram.judge import from_message
+from rvd_dynamics.diagram.ros.conversions import header_at
+from rvd_dynamics.diagram.signal import Signal
+from rvd_dynamics.recording import reader
+from rvd_dynamics.recording.reader import files_of, read
+from rvd_dynamics.recording.recording import scenario_of
+from rvd_dynamics.recording.series import Commands, Scores, SERIES, Sticks, Table
+from rvd_interfaces.msg import Values
+
+THRUST = '/onboard/thruster_command'
+
+
+def topics_of(message):
+    """Return the topics that carry messages of this type of ours."""
+    return [topic for topic, kind in ROSTER.topics.items()
+            if kind == f'rvd_interfaces/msg/{message}']
+
+
+def sent_on(topic):
+    """Return what was published on a topic, a message for each step."""
+    return [small_run.step_messages(k)[topic] for k in range(LAST + 1)]
 
 
 @pytest.fixture(scope='module')
@@ -35,10 +54,9 @@ def test_counts_are_those_of_an_independent_reader_and_of_what_was_published(run
     assert {t: n for t, n in recording.counts.items() if n} == published
 
 
-@pytest.mark.parametrize('name, topic', reader.STATES.items())
-def test_states_are_those_published(recording, name, topic):
-    series = getattr(recording, name)
-    sent = [small_run.step_messages(k)[topic] for k in range(LAST + 1)]
+@pytest.mark.parametrize('topic', topics_of('RelativeState'))
+def test_states_are_those_published(recording, topic):
+    series, sent = recording.of(topic), sent_on(topic)
     assert_array_equal(series.step, range(LAST + 1))
     assert_array_equal(series.state, [small_run.as_state(m) for m in sent])
     assert_array_equal(series.valid, [m.valid for m in sent])
@@ -51,21 +69,21 @@ def test_states_are_those_published(recording, name, topic):
 
 
 def test_truth_carries_the_executed_acceleration_and_nothing_else_does(recording):
-    assert_array_equal(recording.truth.accel, np.tile([0.01, 0, 0], (LAST + 1, 1)))
-    assert np.isnan(recording.prediction.accel).all()
+    assert_array_equal(recording.of('/truth/relative_state').accel,
+                       np.tile([0.01, 0, 0], (LAST + 1, 1)))
+    assert np.isnan(recording.of('/ground/prediction').accel).all()
 
 
-@pytest.mark.parametrize('name, topic', reader.COMMANDS.items())
-def test_commands_are_those_published(recording, name, topic):
-    series = getattr(recording, name)
-    sent = [small_run.step_messages(k)[topic] for k in range(LAST + 1)]
+@pytest.mark.parametrize('topic', topics_of('ThrustCommand'))
+def test_commands_are_those_published(recording, topic):
+    series, sent = recording.of(topic), sent_on(topic)
     assert_array_equal(series.levels, [m.levels for m in sent])
-    for field in ('valid', 'kind', 'decided_by', 'reason', 'pilot_weight'):
+    for field in ('valid', 'kind', 'sequence', 'decided_by', 'reason', 'pilot_weight'):
         assert_array_equal(getattr(series, field), [getattr(m, field) for m in sent])
 
 
 def test_frames_tell_when_they_travelled(recording):
-    frames = recording.command_frames
+    frames = recording.of('/onboard/command')
     assert_array_equal(np.flatnonzero(frames.empty), [*range(HOLD), LOST + HOLD])
     assert np.isnan(frames.arrived[frames.empty]).all()
     kept = ~frames.empty
@@ -73,24 +91,54 @@ def test_frames_tell_when_they_travelled(recording):
     assert_allclose((frames.arrived - frames.sent)[kept], 4.2 + 1e-3 * frames.sequence[kept])
 
 
-def test_links_scores_stick_verdict_events_are_there(recording):
-    assert recording.forward.last['late'] == 1 and recording.back.last['late'] == 0
-    assert len(recording.forward.counts['sent']) == LAST + 1
-    assert_allclose(recording.score.error[recording.score.valid][-1], small_run.ERROR)
-    assert_allclose(recording.joy.axes[4, :2], [1 / 3, (4 % 7 - 3) / 3], atol=1e-7)
+def test_links_go_by_their_legs_with_what_they_released_and_counted(recording):
+    assert list(recording.links) == ['forward', 'back']
+    forward, back = recording.links.values()
+    assert forward.upward and not back.upward
+    assert forward.hold_s == 5.0 and forward.frames is recording.of('/onboard/command')
+    assert back.frames is recording.of('/ground/telemetry')
+    assert forward.history.last['late'] == 1 and back.history.last['late'] == 0
+    assert len(forward.history.counts['sent']) == LAST + 1
+    assert_array_equal(forward.never_released, [LOST * 0.5])
+    assert_array_equal(back.never_released, [])
+
+
+def test_scores_stick_verdict_events_are_there(recording):
+    score = recording.of('/ground/prediction_score')
+    assert_allclose(score.error[score.valid][-1], small_run.ERROR)
+    assert_array_equal(score.scored, range(LAST + 1))
+    assert_allclose(recording.of('/joy').axes[4, :2], [1 / 3, (4 % 7 - 3) / 3], atol=1e-7)
     sent = from_message(small_run.step_messages(LAST)['/run/verdict'])
     assert repr(recording.verdict) == repr(sent)        # NaN too
     assert recording.verdict.reason == 'docked' and recording.judged
     assert recording.verdict.value('min_corridor_margin_m') == 0.188
     assert [e.code for e in recording.events] == ['REFUSED'] and recording.events[0].t == 27.5
-    assert (recording.onboard.reason == codes.REASON_CHECKSUM).sum() == 1
+    assert (recording.of(THRUST).reason == codes.REASON_CHECKSUM).sum() == 1
+
+
+def test_a_series_is_found_by_signal_or_topic_and_has_no_rows_where_nothing_came(recording):
+    signals = recording.scenario.diagram.signals
+    assert recording.of(signals[THRUST]) is recording.of(THRUST)
+    assert recording.of(signals['/joy'].shifted(1)) is recording.of('/joy')
+    empty = recording.of(Signal('/nobody', (), signals['/joy'].message))
+    assert isinstance(empty, Sticks) and len(empty) == 0
+    assert recording.has('/joy') and not recording.has('/nobody')
+    assert isinstance(recording.of('/nobody'), Table) and len(recording.of('/nobody')) == 0
+
+
+def test_a_topic_of_another_type_than_the_signal_is_not_mistaken_for_it(recording):
+    found = recording.of(Signal(THRUST, (), 'rvd_interfaces/msg/PredictionScore'))
+    assert isinstance(found, Scores) and len(found) == 0
+    assert isinstance(recording.of(THRUST), Commands)
 
 
 def test_a_whole_run_misses_nothing(recording):
     assert recording.complete and recording.closed and recording.ended
     assert recording.last_step == LAST
     assert set(recording.missing.values()) == {0} and not recording.lost
-    assert recording.mission.seed == 7 and recording.mission.forward_steps == HOLD
+    assert recording.name == recording.scenario.name == 'small'
+    assert recording.scenario.run.seed == 7 and recording.scenario.part('legs').forward == HOLD
+    assert recording.scenario_trouble == ''
 
 
 def test_steps_that_are_not_in_the_bag_are_counted_by_topic(tmp_path):
@@ -101,11 +149,20 @@ def test_steps_that_are_not_in_the_bag_are_counted_by_topic(tmp_path):
     assert {t: n for t, n in found.missing.items() if n} == {'/joy': 2, '/ground/prediction': 2}
 
 
-def test_a_topic_that_the_run_owed_and_never_came_is_counted_too(tmp_path):
+@pytest.mark.parametrize('noted', [True, False])
+def test_a_topic_that_the_run_owed_and_never_came_is_counted_too(noted, tmp_path):
     given = [m for m in small_run.messages() if m[0] != '/ground/estimate']
-    owed = {topic: '0' for topic in reader.OWED}
-    found = read(write_run(tmp_path, given, notes={'rvd_missing': owed}))
+    notes = {'rvd_missing': dict.fromkeys(ROSTER.owed, '0')} if noted else None
+    found = read(write_run(tmp_path, given, notes=notes))
     assert found.missing['/ground/estimate'] == LAST + 1
+
+
+def test_what_a_slow_node_writes_is_owed_at_its_firings_only(tmp_path, monkeypatch):
+    """Every fourth step, and one of these is gone."""
+    given = [m for m in small_run.messages()
+             if m[0] != '/joy' or (m[1] % 4 == 0 and m[1] != 8)]
+    monkeypatch.setattr(reader.Roster, 'owed', {'/joy': 4, THRUST: 1})
+    assert read(write_run(tmp_path, given)).missing == {'/joy': 1, THRUST: 0}
 
 
 def test_a_bag_cut_at_any_byte_is_read_up_to_there(tmp_path):
@@ -122,8 +179,9 @@ def test_a_bag_cut_at_any_byte_is_read_up_to_there(tmp_path):
         assert before <= total <= len(given)
         before = total
         assert not found.complete and not found.closed and not found.ended
-        assert_array_equal(found.truth.state,
-                           [small_run.true_state(k) for k in range(len(found.truth.step))]
+        truth = found.of('/truth/relative_state')
+        assert_array_equal(truth.state if len(truth) else np.zeros((0, 6)),
+                           [small_run.true_state(k) for k in range(len(truth))]
                            or np.zeros((0, 6)))
         assert all(n in (0, 1) for n in found.missing.values())     # of the step it was cut in
     assert total == len(given)
@@ -131,14 +189,16 @@ def test_a_bag_cut_at_any_byte_is_read_up_to_there(tmp_path):
 
 def test_a_run_without_messages_has_arrays_without_rows(tmp_path):
     found = read(write_run(tmp_path, []))
-    assert found.last_step == -1 and found.forward.last == {}
+    assert found.last_step == -1 and found.scenario is None
+    assert found.links['forward'].history.last == {}
     assert found.verdict is None and not found.judged
-    for field in fields(found):
-        value = getattr(found, field.name)
-        for inner in (getattr(value, f.name) for f in fields(value)) if hasattr(
-                value, '__dataclass_fields__') else ():
-            if isinstance(inner, np.ndarray):
-                assert len(inner) == 0
+    for topic, kind in ROSTER.topics.items():
+        series = found.of(topic)
+        assert type(series) is SERIES.get(kind, Table) and len(series) == 0
+        for field in fields(series):
+            value = getattr(series, field.name)
+            for column in value.values() if isinstance(value, dict) else [value]:
+                assert len(column) == 0
 
 
 def test_what_is_no_bag_is_one_sentence(tmp_path):
@@ -150,13 +210,78 @@ def test_run_folder_bag_folder_and_file_are_the_same_bag(run):
     assert files_of(run) == files_of(run / 'bag') == files_of(run / 'bag/bag_0.mcap')
 
 
-@pytest.mark.parametrize('text', [
-    '', 'not: [yaml', '/**: 3', '/**: {ros__parameters: {step_s: 9}}'])
-def test_a_scenario_that_cannot_be_read_gives_the_defaults(text):
-    assert mission_of(text).step_s == 0.5
+# -- signals without a message of their own --------------------------------------------------------
+
+def values(k, numbers, layout='rate[3], angle[2,2], armed'):
+    return Values(header=header_at(k * small_run.STEP_NS, 'body'), step=k, layout=layout,
+                  values=[float(n) for n in numbers])
+
+
+@pytest.fixture
+def with_values(tmp_path):
+    """Return what writes a run with Values on a topic and reads it."""
+    def written(given):
+        added = [('/onboard/attitude', m.step, m) for m in given]
+        return read(write_run(tmp_path, [*small_run.messages(3), *added],
+                              kinds={'/onboard/attitude': 'rvd_interfaces/msg/Values'}))
+    return written
+
+
+def test_values_are_a_table_of_their_parts(with_values):
+    table = with_values([values(k, [k, 1, 2, 3, 4, 5, 6, k % 2]) for k in range(3)]
+                        ).of('/onboard/attitude')
+    assert list(table.parts) == ['rate', 'angle', 'armed']
+    assert_array_equal(table.step, range(3))
+    assert_allclose(table.t, [0.0, 0.5, 1.0])
+    assert_array_equal(table['rate'], [[k, 1, 2] for k in range(3)])
+    assert_array_equal(table['angle'], [[[3, 4], [5, 6]]] * 3)
+    assert_array_equal(table['armed'], [0, 1, 0])
+    with pytest.raises(LookupError, match="no part 'rte' was recorded; there are: rate, angle"):
+        table['rte']
+
+
+@pytest.mark.parametrize('last', [values(1, range(7)), values(1, range(8), 'rate[8]')])
+def test_values_whose_layout_changes_are_refused_when_somebody_looks(with_values, last):
+    found = with_values([values(0, range(8)), last])
+    assert found.last_step == 2
+    with pytest.raises(ValueError, match='/onboard/attitude: step 1: [78] values of layout'):
+        found.of('/onboard/attitude')
+
+
+# -- other versions, other missions ----------------------------------------------------------------
+
+def test_a_bag_of_a_mission_that_is_not_installed_gives_what_it_can(tmp_path):
+    text = SCENARIO.replace('mode: shared', 'mission: of_tomorrow')
+    given = [('/run/scenario', 0, String(data=text)), *small_run.messages()[1:]]
+    found = read(write_run(tmp_path, given, notes={'rvd_missing': {'/joy': '3'}}))
+    assert found.scenario is None and "no mission 'of_tomorrow'" in found.scenario_trouble
+    assert found.name == 'small' and found.last_step == LAST
+    assert found.verdict.reason == 'docked' and len(found.events) == 1
+    assert found.missing == {'/joy': 3} and found.counts['/joy'] == LAST + 1
+    assert {name: link.history.last['late'] for name, link in found.links.items()} == {
+        'forward': 1, 'back': 0}
+    assert len(found.of('/truth/relative_state')) == LAST + 1       # the types are ours
+
+
+def test_a_bag_of_a_mission_that_is_not_installed_may_be_cut_off(tmp_path):
+    given = [('/run/scenario', 0, String(data='/**: {ros__parameters: {mission: of_tomorrow}}')),
+             *small_run.messages(20)[1:]]
+    found = read(write_run(tmp_path, given, close=False))
+    assert (found.last_step, found.missing, found.ended) == (19, {}, False)
+
+
+@pytest.mark.parametrize('text, why', [
+    ('', 'holds no scenario'), ('not: [yaml', 'not valid YAML'),
+    ('/**: 3', 'must hold ros__parameters'), ('/**: {ros__parameters: {step_s: 90}}', 'step_s')])
+def test_a_scenario_that_cannot_be_read_is_none_and_says_why(text, why):
+    scenario, trouble = scenario_of(text)
+    assert scenario is None and why in trouble and '\n' not in trouble
 
 
 def test_a_scenario_of_another_version_is_read_as_far_as_it_is_known():
-    mission = mission_of('/**: {ros__parameters: {step_s: 0.1, of_tomorrow: 1, '
-                         'forward_delay_s: 2, corridor: {half_angle_deg: 4.0}}}')
-    assert (mission.step_s, mission.forward_steps, mission.corridor.half_angle_deg) == (0.1, 20, 4)
+    scenario, trouble = scenario_of(
+        '/**: {ros__parameters: {step_s: 0.1, of_tomorrow: 1, forward_delay_s: 2, '
+        'corridor: {half_angle_deg: 4.0}}}\nnext_node: {ros__parameters: {a: 1}}')
+    assert (scenario.run.step_s, scenario.part('legs').forward,
+            scenario.part('cone').half_angle_deg) == (0.1, 20, 4)
+    assert trouble == 'this version does not know /**: of_tomorrow, next_node'

@@ -3,18 +3,15 @@
 from dataclasses import replace
 from html.parser import HTMLParser
 import re
-import xml.etree.ElementTree as ElementTree
 
-import numpy as np
-from numpy.testing import assert_allclose
 import pytest
 import small_run
-from small_run import HOLD, LAST, write_run
+from small_run import LAST, write_run
+from std_msgs.msg import String
 
-from rvd_campaign.report import figures
-from rvd_dynamics.recording.reader import read
-from rvd_campaign.report.page import CAPTIONS
+from rvd_campaign.report.figures import figures_of
 from rvd_campaign.report.run import page, write_report
+from rvd_dynamics.recording.reader import read
 
 
 @pytest.fixture(scope='module')
@@ -85,14 +82,14 @@ def test_page_says_verdict_limits_counts_and_scenario(html):
     for fact in ('Docked after 60.0 s', 'scenario small', 'seed 7', '0.188 m', '0.2500 m/s',
                  'between 0 and 0.3 m/s', '0.1118 m', 'below 0.3 m', 'above 0 m',
                  f'{LAST + 1} = {LAST + 1} \u2713',
-                 'pilot and automatic 121 100 %', 'refused: 1 for checksum',
+                 'pilot and automatic 121 100 %', 'guard: 1 for checksum',
                  '27.5 onboard_guard REFUSED', 'half_angle_deg: 3.0'):
         assert fact in text, fact
     assert 'class="warning"' not in html
 
 
 def test_each_measure_has_its_row_unless_it_is_unknown_and_without_limit(html):
-    table = re.search(r'<h2>Verdict</h2>(<table.*?</table>)', html, re.S)[1]
+    table = re.search(r'<h2>Verdict</h2>\s*(<table.*?</table>)', html, re.S)[1]
     names = re.findall(r'<tr><td>(.*?)</td>', table)
     assert names == ['closing rate at docking', 'lateral offset at docking',
                      'least corridor margin', 'delta-v']
@@ -103,7 +100,8 @@ def test_each_measure_has_its_row_unless_it_is_unknown_and_without_limit(html):
 def test_a_bag_of_a_version_without_measures_still_has_its_verdict(recording):
     old = replace(recording, verdict=recording.verdict._replace(measures=(), words='docked'))
     text = Reader(page(old)).text
-    assert 'Docked after 60.0 s' in text and '60.00 s from start to end' in text
+    assert 'Docked after 60.0 s' in text and 'has no measures' in text
+    assert '60.00 s from the start to the end' in text
 
 
 def test_text_from_the_bag_is_never_markup(html):
@@ -121,46 +119,55 @@ def test_page_works_on_light_dark_and_paper(html):
         assert f'--{name}:' in dark or name == 'font'
 
 
-@pytest.mark.parametrize('name', CAPTIONS)
-def test_drawing_has_no_colour_of_its_own_and_its_text_is_text(recording, name):
-    drawing = figures.svg(name, recording)
-    root = ElementTree.fromstring(drawing.replace('xlink:href', 'href'))
-    assert root.tag == 'svg' and root.get('viewBox')
-    assert not re.search(r'#[0-9a-f]{6}', drawing)
-    assert '[s]' in drawing or '[m]' in drawing
-    assert drawing.count('<text') > 10
+def test_the_figures_are_those_of_the_mission_with_their_captions(recording, html):
+    figures = figures_of(recording)
+    assert list(figures) == ['approach', 'margin', 'levels', 'prediction', 'links']
+    text = Reader(html).text
+    assert html.count('<svg') == len(figures)
+    for figure in figures.values():
+        assert figure.title in text and ' '.join(figure.caption.split()) in text
 
 
-def test_every_figure_has_a_caption():
-    assert list(CAPTIONS) == list(figures.FIGURES)
+def of_a_mission(recording, **changes):
+    """Return the recording as if its mission were another."""
+    mission = replace(recording.scenario.mission, **changes)
+    return replace(recording, scenario=replace(recording.scenario, mission=mission))
 
 
-def test_prediction_is_held_against_the_truth_of_the_same_instant(recording):
-    t, error, sigma = figures.prediction_error(recording)
-    assert_allclose(t, np.arange(2 * HOLD, LAST + 1) * 0.5)
-    assert_allclose(error, np.tile(small_run.ERROR, (len(t), 1)), atol=1e-12)
-    assert_allclose(sigma, np.tile(small_run.SIGMA, (len(t), 1)), rtol=1e-12)
+def test_a_mission_without_figures_has_all_the_rest(recording):
+    html = page(of_a_mission(recording, figures=''))
+    text = Reader(html).text
+    assert html.count('<svg') == 1 and 'Link delays' in text        # of every mission
+    for fact in ('Docked after 60.0 s', 'mission lunar_approach', '0.188 m', 'Link counts',
+                 f'{LAST + 1} = {LAST + 1} \u2713', 'onboard_guard REFUSED', 'half_angle_deg: 3.0'):
+        assert fact in text, fact
 
 
-def line(figure, label):
-    """Return the data of the first line of that label."""
-    return next(artist.get_xydata() for axes in figure.axes for artist in axes.lines
-                if artist.get_label() == label)
+@pytest.mark.parametrize('table, why', [
+    ('nowhere:FIGURES', 'lunar_approach: figures: nowhere:FIGURES cannot be loaded: No module'),
+    ('rvd_missions.lunar_approach.figures:PLOTS', 'has no PLOTS'),
+    ('rvd_missions.lunar_approach.figures:AXES', 'must be a dict of Figure by plain names')])
+def test_a_table_of_figures_that_cannot_be_loaded_is_one_line(recording, table, why):
+    with pytest.raises(ValueError, match=why):
+        page(of_a_mission(recording, figures=table))
 
 
-def test_the_true_track_is_drawn_where_it_was(recording):
-    track = line(figures.approach(recording), 'true')
-    assert_allclose(track, [[-30.0 + 0.25 * k, 0.1] for k in range(LAST + 1)])
+def test_a_bag_of_a_mission_that_is_not_installed_has_its_verdict_and_says_why_no_figures(tmp_path):
+    text = small_run.SCENARIO.replace('mode: shared', 'mission: of_tomorrow')
+    given = [('/run/scenario', 0, String(data=text)), *small_run.messages()[1:]]
+    html = write_report(write_run(tmp_path, given)).read_text()
+    text = Reader(html).text
+    assert '<svg' not in html
+    for fact in ('Docked after 60.0 s', 'scenario small', "no mission 'of_tomorrow' is installed",
+                 '0.188 m', f'{LAST + 1} = {LAST + 1} \u2713', 'onboard_guard REFUSED',
+                 'half_angle_deg: 3.0'):
+        assert fact in text, fact
+    assert 'Steps without a command' not in text
 
 
-def test_a_command_that_the_link_lost_is_marked_when_it_was_sent_and_when_it_should_act(recording):
-    assert_allclose(line(figures.links(recording), 'never released'), [[20.0, 5.0]])
-    assert_allclose(line(figures.prediction(recording), 'command lost')[:, 0], 25.0)
-
-
-def test_pilot_levels_come_from_the_stick(recording):
-    pilot = line(figures.levels(recording), 'pilot')
-    assert_allclose(np.rint(pilot[:7, 1]), [-3, -2, -1, 0, 1, 2, 3])
+def test_settings_of_another_version_are_named(recording):
+    text = Reader(page(replace(recording, scenario_trouble='this version does not know a: b'))).text
+    assert 'Some settings were left out: this version does not know a: b.' in text
 
 
 def test_a_bag_that_was_cut_off_says_so_and_is_repaired(tmp_path):
@@ -171,7 +178,7 @@ def test_a_bag_that_was_cut_off_says_so_and_is_repaired(tmp_path):
         text = Reader(write_report(run).read_text()).text
         assert 'The bag was cut off at step 59 (29.5 s)' in text
         assert 'No verdict' in text
-        assert 'Steps that are not in the bag' in text
+        assert 'Steps missing from the bag' in text
     assert read(run).complete
 
 
@@ -183,7 +190,7 @@ def test_a_recording_that_was_stopped_says_so(tmp_path):
 
 def test_an_empty_bag_makes_a_page_that_says_so(tmp_path):
     text = Reader(write_report(write_run(tmp_path / 'none', [])).read_text()).text
-    assert 'before the first step' in text and 'holds no scenario' in text
+    assert 'before the first step' in text and 'the bag holds no scenario' in text
 
 
 def test_what_the_disk_did_not_take_is_shown(tmp_path):
@@ -199,8 +206,3 @@ def test_report_goes_beside_the_bag(run):
 def test_report_needs_a_bag(tmp_path):
     with pytest.raises(ValueError, match='holds no bag'):
         write_report(tmp_path)
-
-
-def test_picture_is_written(recording, tmp_path):
-    figures.approach_picture(recording, tmp_path / 'approach.png')
-    assert (tmp_path / 'approach.png').read_bytes()[1:4] == b'PNG'

@@ -7,7 +7,6 @@ import pytest
 from scipy.interpolate import CubicHermiteSpline
 
 from rvd_dynamics.geometry import arc, cone
-from rvd_dynamics.mission import CorridorParams
 
 DT = 0.5
 RNG = np.random.default_rng(8)
@@ -37,7 +36,7 @@ states = st.lists(st.floats(-1.0, 1.0), min_size=6, max_size=6)
 @given(states, states)
 def test_no_arc_comes_nearer_to_the_wall_than_its_control_points(start, end):
     points = arc.control_points(np.array(start)[:, np.newaxis], np.array(end)[:, np.newaxis], DT)
-    shape = CorridorParams()
+    shape = cone.Cone()
     hull = cone.signed_distance(points[..., 0].T, shape).min()
     path = arc.position(points, np.linspace(0.0, 1.0, 101)[np.newaxis])[:, 0].T
     assert cone.signed_distance(path, shape).min() >= hull - 1e-14

@@ -132,6 +132,19 @@ def test_ledger_counts_the_steps_that_never_came():
     assert ledger.missing == {'a': 3, 'b': 7} and ledger.reached(6)
 
 
+def test_ledger_expects_a_slow_node_at_its_firings_only():
+    ledger = StepLedger()
+    ledger.expect('a', 4)
+    for step in (0, 4, 12):
+        ledger.saw('a', step)
+    assert ledger.missing == {'a': 1}
+    assert ledger.reached(15) and not ledger.reached(16)
+    ledger.end(15)
+    assert ledger.missing == {'a': 1}
+    ledger.end(25)                              # without the firings of 16, 20 and 24
+    assert ledger.missing == {'a': 4} and ledger.reached(25)
+
+
 # -- a bag that was closed ----------------------------------------------------------------------
 
 def test_rosbags_reads_back_what_was_written(tmp_path):

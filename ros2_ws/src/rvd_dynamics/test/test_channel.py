@@ -1,4 +1,4 @@
-"""The link event by event: against an event queue, against the guard, and as a state machine."""
+"""The link event by event: against an event queue, against the gate, and as a state machine."""
 
 from collections import Counter
 from dataclasses import asdict, replace
@@ -8,13 +8,14 @@ from hypothesis import given, settings, strategies as st
 from hypothesis.stateful import initialize, invariant, rule, RuleBasedStateMachine
 import numpy as np
 import pytest
-from rvd_dynamics.onboard.guard.guard import Guard
 from rvd_dynamics.link.channel import Channel, damaged, LinkCounts
 from rvd_dynamics.link.frame import Downlink, pack_command, pack_downlink, unpack_downlink
 from rvd_dynamics.link.models import Constant, Gamma, LinkParams
 from rvd_dynamics.link.plan import draw_plan, LinkPlan
 from rvd_dynamics.link.play_out import Frame
-from rvd_dynamics.mission import Mission
+from rvd_dynamics.commands.levels import LevelForm
+from rvd_dynamics.diagram.run import LegParams, Run
+from rvd_dynamics.onboard.guard.gate import Gate
 
 STEP_NS = 500_000_000
 PLACES = ('delivered', 'late', 'lost', 'outage', 'duplicate_dropped', 'in_flight', 'queued')
@@ -114,29 +115,29 @@ def test_any_plan_on_a_coarse_grid_agrees_with_the_event_queue(data, hold, steps
     assert channel.counts.reordered == flight.overtaken
 
 
-# node and campaign agree: channel and guard against the mask of the plan
+# node and campaign agree: channel and gate against the mask of the plan
 
 @pytest.mark.parametrize('forward_delay_s', [0.0, 0.5, 5.0])
 @pytest.mark.parametrize('params', [WILD, LinkParams(), replace(WILD, reorder_delay_s=0.2)],
                          ids=['wild', 'default', 'mild'])
-def test_the_guard_accepts_exactly_what_the_plan_calls_intact_in_time(params, forward_delay_s):
-    mission = Mission(forward_delay_s=forward_delay_s)
-    hold = mission.forward_steps
+def test_the_gate_accepts_exactly_what_the_plan_calls_intact_in_time(params, forward_delay_s):
+    hold = LegParams(forward_delay_s=forward_delay_s).on(Run()).forward
     for seed in range(40):
         plan = draw(params, seed, hold=hold)
-        channel, guard = Channel(plan, hold, STEP_NS), Guard(mission)
+        channel = Channel(plan, hold, STEP_NS)
+        gate = Gate(LevelForm(), hold * STEP_NS, STEP_NS)
         accepted = np.zeros(401, dtype=bool)
         for k in range(401):
             levels = (k % 7 - 3, -(k % 5 - 2), (k + 1) % 4)
             out = channel.advance(k, frame(k, pack_command(k + 1, k * STEP_NS, levels)))
-            decision = guard.advance(k, None if out is None else out.payload)
-            if decision.valid:
-                source = decision.sequence - 1
+            passed = gate.advance(k, None if out is None else out.payload)
+            if passed.received:
+                source = passed.sequence - 1
                 assert k == source + hold
-                assert decision.levels == (source % 7 - 3, -(source % 5 - 2), (source + 1) % 4)
+                assert passed.command == (source % 7 - 3, -(source % 5 - 2), (source + 1) % 4)
                 accepted[source] = True
             else:
-                assert decision.levels == (0, 0, 0)
+                assert passed.command == (0, 0, 0)
         known = 401 - hold
         assert np.array_equal(accepted[:known], plan.intact_in_time[:known])
         assert not accepted[known:].any()

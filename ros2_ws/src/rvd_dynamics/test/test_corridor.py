@@ -8,11 +8,11 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import minimize_scalar
 
 from rvd_dynamics.geometry import cone
-from rvd_dynamics.mission import CorridorParams, Mission
+from rvd_dynamics.motion.orbit import OrbitParams
 
-CONE = CorridorParams()
+CONE = cone.Cone()
 D, TAN, SIN, COS = 0.3, np.tan(np.radians(3)), np.sin(np.radians(3)), np.cos(np.radians(3))
-N = Mission().orbit.mean_motion
+N = OrbitParams().mean_motion
 
 stations = st.floats(-60.0, 0.0)
 offsets = st.floats(-4.0, 4.0)

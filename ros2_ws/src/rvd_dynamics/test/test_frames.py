@@ -5,9 +5,9 @@ from numpy.testing import assert_allclose
 import pytest
 
 from rvd_dynamics import frames
-from rvd_dynamics.mission import Mission
+from rvd_dynamics.motion.orbit import OrbitParams
 
-ORBIT = Mission().orbit
+ORBIT = OrbitParams()
 N, RADIUS = ORBIT.mean_motion, ORBIT.radius_m
 TIMES = np.array([0.0, 1.0, 1234.5, 7656.0, 1e5])
 

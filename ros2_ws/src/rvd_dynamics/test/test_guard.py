@@ -2,24 +2,81 @@
 
 from pathlib import Path
 import struct
+from types import SimpleNamespace
+from typing import NamedTuple
 from zlib import crc32
 
 from hypothesis import given, settings, strategies as st
 from hypothesis.stateful import invariant, precondition, rule, RuleBasedStateMachine
+import numpy as np
 import pytest
 from rvd_dynamics.commands.codes import (
-    KIND_ABORT, KIND_HOLD, KIND_RESUME, KIND_RETREAT, KIND_THRUST, REASON_ABORT, REASON_EMPTY,
-    REASON_NONE)
-from rvd_dynamics.onboard.guard import guard as guard_module
-from rvd_dynamics.onboard.guard.guard import Guard, GuardParams
-from rvd_dynamics.link.frame import Refusal
-from rvd_dynamics.mission import Mission
+    BY_GUARD, BY_NOBODY, KIND_ABORT, KIND_HOLD, KIND_RESUME, KIND_RETREAT, KIND_THRUST,
+    REASON_ABORT, REASON_EMPTY, REASON_NONE)
+from rvd_dynamics.commands.levels import LevelForm
+from rvd_dynamics.diagram.block import Block, ONBOARD
 from rvd_dynamics.diagram.params import build, flatten
+from rvd_dynamics.diagram.run import LegParams, Run
+from rvd_dynamics.diagram.signal import Part, Signal
+from rvd_dynamics.link.frame import Refusal
+from rvd_dynamics.onboard.guard import gate as gate_module
+from rvd_dynamics.onboard.guard.block import Guard as GuardBlock
+from rvd_dynamics.onboard.guard.gate import Gate
+from rvd_dynamics.onboard.guard.modes import GuardParams, Modes
 
-T = 500_000_000                 # [ns] step of the default mission
-N = 10                          # forward delay of it [steps]
+T = 500_000_000                 # [ns] default step
+N = 10                          # default forward delay [steps]
 LEVELS = (2, -1, 3)
 BACK_AWAY = (-3, 0, 0)
+FORM = LevelForm()
+THRUST = Signal('/thrust', (
+    Part('command', (3,), 'levels', 'i1'), Part('kind', (), '', 'u1'), Part('valid', (), '', '?'),
+    Part('reason', (), '', 'u1'), Part('sequence', (), '', 'i8'),
+    Part('decided_by', (), '', 'u1')))
+DECLARED = Block('onboard_guard', 'rvd_dynamics.onboard.guard.block:Guard', ONBOARD,
+                 writes={'thrust': THRUST})
+
+
+class Decision(NamedTuple):
+    """What the craft does in one step, and what the gate has counted so far."""
+
+    levels: tuple
+    valid: bool
+    kind: int
+    reason: int
+    sequence: int
+    decided_by: int
+    counts: dict
+
+
+class Guard:
+    """The gate and, behind it, the block with the modes, as the onboard node runs them."""
+
+    def __init__(self, params=GuardParams(), forward_delay_s=5.0, step_s=0.5):
+        run = Run(step_s=step_s)
+        hold = LegParams(forward_delay_s=forward_delay_s).on(run).forward
+        self.gate = Gate(FORM, hold * run.step_ns, run.step_ns)
+        self.block = GuardBlock(params, FORM, run, DECLARED, ())
+
+    def advance(self, step, data):
+        """Return the decision of `step` on what the link released, None: nothing."""
+        passed = self.gate.advance(step, data)
+        thrust = self.block.step(step, SimpleNamespace(
+            command=np.array(passed.command, dtype=np.int8), kind=np.uint8(passed.kind),
+            received=np.bool_(passed.received), reason=np.uint8(passed.reason),
+            sequence=passed.sequence))['thrust']
+        assert THRUST.complaint(thrust, ()) == ''
+        return Decision(tuple(thrust.command.tolist()), bool(thrust.valid), int(thrust.kind),
+                        int(thrust.reason), thrust.sequence, int(thrust.decided_by),
+                        passed.counts)
+
+    @property
+    def accepted_sequence(self):
+        return self.gate.accepted_sequence
+
+    @property
+    def refusal(self):
+        return self.gate.refusal
 
 
 def payload(sequence, made, levels=LEVELS, kind=KIND_THRUST, version=1, key=0, session=0,
@@ -32,7 +89,7 @@ def payload(sequence, made, levels=LEVELS, kind=KIND_THRUST, version=1, key=0, s
 
 def flown(*payloads, guard=None, first=100):
     """Give the payloads to a guard, one per step, and return the last decision."""
-    guard = guard or Guard(Mission())
+    guard = guard or Guard()
     return [guard.advance(first + i, p) for i, p in enumerate(payloads)][-1]
 
 
@@ -48,18 +105,19 @@ def test_a_fresh_command_is_obeyed(levels, age, sequence):
     decision = flown(payload(sequence, 100 - age, levels))
     assert decision.levels == levels and decision.valid
     assert (decision.kind, decision.reason) == (KIND_THRUST, REASON_NONE)
+    assert decision.decided_by == BY_NOBODY
     assert decision.sequence == sequence and counted(decision) == {'accepted': 1}
 
 
 def test_a_step_without_a_frame_is_no_refusal():
-    guard = Guard(Mission())
+    guard = Guard()
     decision = flown(None, guard=guard)
     assert (decision.levels, decision.valid, decision.reason) == ((0, 0, 0), False, REASON_EMPTY)
     assert decision.sequence == 0 and counted(decision) == {'empty': 1} and guard.refusal == 0
 
 
 def test_a_decision_keeps_the_counts_of_its_step():
-    guard = Guard(Mission())
+    guard = Guard()
     first, second = guard.advance(0, None), guard.advance(1, None)
     aborted, later = guard.advance(2, abort(1, 2)), guard.advance(3, None)
     assert [d.counts['empty'] for d in (first, second, aborted, later)] == [1, 2, 2, 3]
@@ -89,7 +147,7 @@ def test_a_decision_keeps_the_counts_of_its_step():
     (Refusal.RANGE, payload(5, 100, key=1), payload(5, 100)),
     (Refusal.RANGE, payload(5, 100, session=1), payload(5, 100))])
 def test_each_refusal_has_its_reason_its_count_and_no_thrust(refusal, bad, good):
-    guard = Guard(Mission())
+    guard = Guard()
     decision = flown(bad, guard=guard)
     assert (decision.levels, decision.valid, decision.sequence) == ((0, 0, 0), False, 0)
     assert decision.reason == refusal == guard.refusal
@@ -108,7 +166,7 @@ def test_any_flipped_bit_is_refused(flip):              # P30, L6
 @settings(max_examples=300)
 @given(st.lists(st.binary(max_size=60), min_size=1, max_size=5))
 def test_arbitrary_bytes_never_move_a_thruster(history):        # P29
-    guard = Guard(Mission())
+    guard = Guard()
     for step, data in enumerate(history):
         decision = guard.advance(step, data)
         assert decision.levels == (0, 0, 0) and not decision.valid
@@ -116,7 +174,7 @@ def test_arbitrary_bytes_never_move_a_thruster(history):        # P29
 
 def test_checks_come_in_order():                        # P34
     everything_wrong = payload(1, 500, (9, 9, 9), kind=9)
-    guard = Guard(Mission())
+    guard = Guard()
     guard.advance(99, payload(1, 99))
     reasons = [guard.advance(100, p).reason for p in (
         everything_wrong[:-1], everything_wrong[:-1] + b'\x99', everything_wrong,
@@ -128,7 +186,7 @@ def test_checks_come_in_order():                        # P34
 
 def test_replays_are_refused():
     first, second = payload(7, 100), payload(8, 101)
-    guard = Guard(Mission())
+    guard = Guard()
     assert flown(first, second, guard=guard).valid
     for replay, after, reason in ((second, 102, Refusal.ORDER),         # at once
                                   (first, 103, Refusal.ORDER),          # the one before
@@ -159,16 +217,17 @@ def test_the_last_sequence_number_ends_the_session():
     assert flown(payload(2**64 - 1, 100), payload(2**64 - 1, 101)).reason == Refusal.ORDER
 
 
-# other missions
+# other delays and steps
 
 @pytest.mark.parametrize(('delay_s', 'step_s', 'oldest'), [(0.0, 0.5, 0), (5.0, 0.1, 50),
                                                            (3.0, 1.0, 3)])
 def test_the_age_limit_is_the_play_out_delay(delay_s, step_s, oldest):
-    mission = Mission(forward_delay_s=delay_s, back_delay_s=delay_s, step_s=step_s)
+    step_ns = round(step_s * 1e9)
     for age, reason in ((oldest, REASON_NONE), (oldest + 1, Refusal.AGE)):
-        body = struct.pack('<BHQQqB3b', 1, 0, 0, 1, (200 - age) * mission.step_ns, 0, 1, 0, 0)
+        body = struct.pack('<BHQQqB3b', 1, 0, 0, 1, (200 - age) * step_ns, 0, 1, 0, 0)
         frame = body + struct.pack('<I', crc32(body))
-        assert Guard(mission).advance(200, frame).reason == reason
+        guard = Guard(forward_delay_s=delay_s, step_s=step_s)
+        assert guard.advance(200, frame).reason == reason
 
 
 # ABORT: P20
@@ -178,17 +237,18 @@ def abort(sequence, made):
 
 
 def test_an_abort_backs_away_for_its_time_and_then_coasts():
-    guard = Guard(Mission())
+    guard = Guard()
     guard.advance(99, payload(1, 99))
     decisions = [guard.advance(100, abort(2, 95))]
     decisions += [guard.advance(k, None) for k in range(101, 300)]
     assert [d.levels for d in decisions] == 32 * [BACK_AWAY] + 168 * [(0, 0, 0)]    # 16 s
-    assert all((d.kind, d.reason, d.valid) == (KIND_ABORT, REASON_ABORT, True) for d in decisions)
+    assert all((d.kind, d.reason, d.valid, d.decided_by)
+               == (KIND_ABORT, REASON_ABORT, True, BY_GUARD) for d in decisions)
 
 
 @pytest.mark.parametrize(('burn_s', 'steps'), [(0.0, 0), (0.4, 1), (0.5, 1), (0.6, 2)])
 def test_the_burn_covers_the_time_asked_for(burn_s, steps):
-    guard = Guard(Mission(), GuardParams(abort_burn_s=burn_s))
+    guard = Guard(GuardParams(abort_burn_s=burn_s))
     levels = [guard.advance(k, abort(1, 0) if k == 0 else None).levels for k in range(5)]
     assert levels == steps * [BACK_AWAY] + (5 - steps) * [(0, 0, 0)]
 
@@ -201,7 +261,7 @@ def test_an_abort_is_obeyed_at_any_age(made):           # X3: the harmless side
 def test_an_abort_is_not_exempt_from_checksum_and_order():
     damaged = bytearray(abort(9, 100))
     damaged[12] ^= 1
-    guard = Guard(Mission())
+    guard = Guard()
     guard.advance(99, payload(8, 99))
     for bad, reason in ((bytes(damaged), Refusal.CHECKSUM), (abort(8, 100), Refusal.ORDER),
                         (abort(9, 100)[:-1], Refusal.LENGTH)):
@@ -211,7 +271,7 @@ def test_an_abort_is_not_exempt_from_checksum_and_order():
 
 
 def test_nothing_that_comes_later_cancels_an_abort():
-    guard = Guard(Mission())
+    guard = Guard()
     guard.advance(100, abort(5, 100))
     later = [payload(6, 101), payload(7, 101, (3, 3, 3), KIND_RESUME), b'noise', abort(5, 100),
              payload(8, 105)]
@@ -224,7 +284,7 @@ def test_nothing_that_comes_later_cancels_an_abort():
 
 
 def test_a_second_abort_does_not_prolong_the_burn():
-    guard = Guard(Mission())
+    guard = Guard()
     levels = [guard.advance(k, abort(k + 1, k)).levels for k in range(60)]
     assert levels == 32 * [BACK_AWAY] + 28 * [(0, 0, 0)]
     assert guard.accepted_sequence == 60
@@ -239,9 +299,39 @@ def test_impossible_burns_are_refused(value):
     assert build(GuardParams, flatten(GuardParams())) == GuardParams()
 
 
-def test_the_guard_does_no_arithmetic_that_could_meet_nan():
-    source = Path(guard_module.__file__).read_text()
+def test_the_gate_does_no_arithmetic_that_could_meet_nan():
+    source = Path(gate_module.__file__).read_text()
     assert 'numpy' not in source and 'float(' not in source and 'clip' not in source
+
+
+# the modes on a batch: each row by itself
+
+def test_rows_of_the_modes_are_single_runs():
+    """What each row does is what it does alone, whichever rows abort beside it."""
+    rng, rows, steps = np.random.default_rng(4), 30, 80
+    command = rng.integers(-3, 4, (steps, rows, 3), dtype=np.int8)
+    received = rng.random((steps, rows)) < 0.8
+    kind = np.where(rng.random((steps, rows)) < 0.01, KIND_ABORT, KIND_THRUST).astype(np.uint8)
+    whole = Modes(GuardParams(), FORM, T, (rows,))
+    alone = [Modes(GuardParams(), FORM, T) for _ in range(rows)]
+    aborted = np.zeros(rows, dtype=bool)
+    for k in range(steps):
+        done = whole.advance(k, command[k], kind[k], received[k])
+        for row, one in enumerate(alone):
+            single = one.advance(k, command[k, row], kind[k, row], received[k, row])
+            assert done.command[row].tolist() == single.command.tolist()
+            assert np.broadcast_to(done.kind, (rows,))[row] == single.kind
+            assert done.valid[row] == single.valid
+            aborted[row] |= single.kind == KIND_ABORT
+        assert done.command.dtype == np.int8
+    assert 5 < aborted.sum() < rows                     # both ways are well tried
+
+
+def test_an_abort_that_was_not_received_is_none():
+    modes = Modes(GuardParams(), FORM, T)
+    done = modes.advance(0, np.int8([1, 2, 3]), np.uint8(KIND_ABORT), np.bool_(False))
+    assert (done.command.tolist(), int(done.kind), bool(done.valid)) == ([0, 0, 0], KIND_THRUST,
+                                                                         False)
 
 
 # as a state machine: any history of frames
@@ -251,7 +341,7 @@ class GuardMachine(RuleBasedStateMachine):
 
     def __init__(self):
         super().__init__()
-        self.guard, self.step, self.sequence, self.aborted = Guard(Mission()), 0, 0, None
+        self.guard, self.step, self.sequence, self.aborted = Guard(), 0, 0, None
         self.old, self.given, self.decision = [], 0, None
 
     def give(self, data):
@@ -329,6 +419,7 @@ class GuardMachine(RuleBasedStateMachine):
         if self.decision is None:
             return
         assert all(type(level) is int and -3 <= level <= 3 for level in self.decision.levels)
+        assert FORM.legal(self.decision.levels)
         if self.aborted is not None:
             burning = (self.decided - self.aborted) * T < 16_000_000_000
             assert self.decision.levels == (BACK_AWAY if burning else (0, 0, 0))

@@ -4,9 +4,9 @@ from hypothesis import given, strategies as st
 import numpy as np
 import pytest
 
-from rvd_dynamics.mission import StickParams, ThrustParams
 from rvd_dynamics.commands.levels import (
-    acceleration, level_of_deflection, nearest_level, stick_axes, stick_levels)
+    acceleration, level_of_deflection, nearest_level, stick_axes, stick_levels, StickParams,
+    ThrustParams)
 
 THRUST, STICK = ThrustParams(), StickParams()
 ALL = np.arange(-3, 4)

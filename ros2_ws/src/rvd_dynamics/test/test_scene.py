@@ -5,8 +5,7 @@ from numpy.testing import assert_allclose
 import pytest
 
 from rvd_dynamics.geometry import surfaces
-from rvd_dynamics.geometry.cone import radius, signed_distance
-from rvd_dynamics.mission import CorridorParams
+from rvd_dynamics.geometry.cone import Cone, radius, signed_distance
 
 
 def rotation_of(q):
@@ -16,7 +15,7 @@ def rotation_of(q):
 
 
 def test_corners_of_the_drawn_corridor_lie_on_its_wall():
-    cone = CorridorParams()
+    cone = Cone()
     x = np.linspace(-32.0, 0.0, 9)
     corners = surfaces.revolved(x, radius(x, cone), sectors=12).reshape(-1, 3)
     assert_allclose(signed_distance(corners, cone), 0.0, atol=1e-12)

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from rvd_dynamics.diagram import streams
-from rvd_dynamics.mission import Mission
+from rvd_dynamics.diagram.run import LegParams, Run
 from rvd_dynamics.diagram.streams import PURPOSES
 
 STEPS = 401
@@ -40,8 +40,8 @@ def test_recorded_draws_come_again():
 def test_the_key_holds_seed_run_and_purpose_and_nothing_of_the_condition():
     blocks = []
     for mode in ('manual', 'shared', 'auto'):
-        m = Mission(seed=5, run=3, mode=mode, forward_delay_s=2.5, operator='none')
-        blocks.append(streams.measurement_normals(m.seed, m.run, m.last_step + 1))
+        run, _ = Run(seed=5, run=3), (mode, LegParams(forward_delay_s=2.5))
+        blocks.append(streams.measurement_normals(run.seed, run.run, run.last_step + 1))
     assert np.array_equal(blocks[0], blocks[1]) and np.array_equal(blocks[0], blocks[2])
 
 

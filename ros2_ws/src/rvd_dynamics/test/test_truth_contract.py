@@ -13,8 +13,8 @@ import pytest
 
 from rvd_dynamics import frames
 from rvd_dynamics.geometry import cone
-from rvd_dynamics.mission import Mission
 from rvd_dynamics.motion import cw
+from rvd_dynamics.motion.orbit import OrbitParams
 from rvd_dynamics.world.plants.relative import TRUTH_MODELS
 from rvd_dynamics.diagram.params import build, flatten
 from rvd_dynamics.world.sensors import SENSORS
@@ -22,8 +22,8 @@ from rvd_dynamics.commands import levels
 from rvd_dynamics.world.spacecraft import thrusters
 from rvd_dynamics.world.settings import SensorParams
 
-MISSION = Mission()
-CONE, N = MISSION.corridor, MISSION.orbit.mean_motion
+ORBIT, THRUST, CONE = OrbitParams(), levels.ThrustParams(), cone.Cone()
+N, STEP_S = ORBIT.mean_motion, 0.5
 ROWS = 1000
 RNG = np.random.default_rng(11)
 
@@ -54,19 +54,18 @@ FUNCTIONS = {
         lambda p: cone.ray_nearest_point(p, CONE, printed=True), [POSITIONS]),
     'corridor.control_boundary': (lambda x: cone.control_boundary(x, CONE, N), [STATIONS]),
     'corridor.drift_rate': (lambda y: cone.drift_rate(y, N), [abs(STATIONS)]),
-    'levels.acceleration': (lambda v: levels.acceleration(v, MISSION.thrust), [LEVELS]),
-    'levels.nearest_level': (lambda a: levels.nearest_level(a, MISSION.thrust), [ACCELS]),
+    'levels.acceleration': (lambda v: levels.acceleration(v, THRUST), [LEVELS]),
+    'levels.nearest_level': (lambda a: levels.nearest_level(a, THRUST), [ACCELS]),
     'levels.level_of_deflection': (levels.level_of_deflection, [DEFLECTIONS]),
-    'thrusters.execute': (lambda v, e: thrusters.execute(v, MISSION.thrust, e, 0.01),
-                          [LEVELS, NORMALS[:, :3]]),
-    'frames.rotation': (lambda t: frames.rotation(t[..., 0], MISSION.orbit), [STATIONS]),
-    'frames.to_inertial': (lambda s, t: frames.to_inertial(s, t[..., 0], MISSION.orbit),
+    'thrusters.execute': (lambda a, e: thrusters.execute(a, e, 0.01), [ACCELS, NORMALS[:, :3]]),
+    'frames.rotation': (lambda t: frames.rotation(t[..., 0], ORBIT), [STATIONS]),
+    'frames.to_inertial': (lambda s, t: frames.to_inertial(s, t[..., 0], ORBIT),
                            [STATES, STATIONS]),
-    'frames.to_target': (lambda s, t: frames.to_target(s, t[..., 0], MISSION.orbit),
+    'frames.to_target': (lambda s, t: frames.to_target(s, t[..., 0], ORBIT),
                          [STATES, STATIONS]),
 }
 for name, model in TRUTH_MODELS.items():
-    FUNCTIONS[f'truth {name}'] = (model(MISSION).advance, [STATES, ACCELS])
+    FUNCTIONS[f'truth {name}'] = (model(ORBIT, STEP_S).advance, [STATES, ACCELS])
 for name, sensor in SENSORS.items():
     FUNCTIONS[f'sensor {name}'] = (sensor().measure, [STATES, NORMALS])
 
@@ -128,16 +127,16 @@ def truth(request):
     return request.param
 
 
-def test_truth_is_settled_by_the_mission_alone(truth):
+def test_truth_is_settled_by_orbit_and_step_alone(truth):
     assert is_dataclass(truth) and truth.__dataclass_params__.frozen
-    assert fields(truth)[0].name == 'mission'
-    assert truth(MISSION) == truth(Mission())
+    assert [f.name for f in fields(truth)] == ['orbit', 'step_s']
+    assert truth(ORBIT, STEP_S) == truth(OrbitParams(), STEP_S)
 
 
 def test_truth_obeys_the_linear_motion_nearby(truth):
     # two steps of 0.5 s from the end of the approach, under thrust: CW to 1e-9 m
     state, accel = np.array([-1.0, 0.1, 0.1, 0.25, 0.01, 0.0]), np.array([0.01, -0.02, 0.005])
-    model = truth(MISSION)
+    model = truth(ORBIT, STEP_S)
     end = model.advance(model.advance(state, accel), accel)
     expected = cw.step(state, accel, cw.transition(N, 1.0), cw.input_matrix(N, 1.0))
     assert_allclose(end, expected, rtol=0.0, atol=1e-9)
@@ -147,7 +146,7 @@ def test_truth_steps_join_whatever_their_length(truth):
     state, accel = STATES[0], ACCELS[0]
     ends = []
     for step_s in (0.05, 0.1, 0.5, 1.0):
-        model, end = truth(Mission(step_s=step_s)), state
+        model, end = truth(ORBIT, step_s), state
         for _ in range(round(10.0/step_s)):
             end = model.advance(end, accel)
         ends.append(end)

@@ -6,12 +6,12 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from rvd_dynamics import frames
-from rvd_dynamics.mission import Mission
 from rvd_dynamics.motion import two_body
+from rvd_dynamics.motion.orbit import OrbitParams
 from rvd_dynamics.world.plants.relative import Cw, TwoBody
-from rvd_dynamics.commands.levels import acceleration
+from rvd_dynamics.commands.levels import acceleration, ThrustParams
 
-ORBIT = Mission().orbit
+ORBIT = OrbitParams()
 N, RADIUS, MU = ORBIT.mean_motion, ORBIT.radius_m, ORBIT.gravitational_parameter_m3_s2
 STARTS = {
     'approach': [-30.0, 0.5, -0.5, 0.25, 0.01, -0.01],
@@ -40,10 +40,10 @@ def authority(state, accels, step_s):
 @pytest.mark.parametrize('start', STARTS.values(), ids=STARTS.keys())
 @pytest.mark.parametrize('step_s', [0.05, 0.1, 0.5, 1.0])
 def test_agrees_with_dop853_over_200_s_of_switching_thrust(step_s, start):
-    model = TwoBody(Mission(step_s=step_s))
+    model = TwoBody(ORBIT, step_s)
     hold = round(2.0 / step_s)                      # thrust switches every 2 s
     levels = np.random.default_rng(4).integers(-3, 4, size=(100, 3))
-    accels = acceleration(levels, Mission().thrust)
+    accels = acceleration(levels, ThrustParams())
     state = np.array(start)
     for accel in accels:
         for _ in range(hold):
@@ -68,8 +68,7 @@ def test_agrees_with_two_inertial_orbits_seen_from_the_target():
 
 
 def test_cw_agrees_over_the_whole_approach():
-    mission = Mission()
-    linear, nonlinear = Cw(mission), TwoBody(mission)
+    linear, nonlinear = Cw(ORBIT, 0.5), TwoBody(ORBIT, 0.5)
     one = other = np.array([-30.0, 0.0, 0.0, 0.25, 0.0, 0.0])
     away = np.zeros(6)
     for _ in range(240):

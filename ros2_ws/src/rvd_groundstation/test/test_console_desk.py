@@ -36,7 +36,7 @@ def test_volunteers_are_dealt_different_orders_and_paired_seeds():
 def flown(desk, folder, reason='docked'):
     order = desk.do({'act': 'fly'})
     (folder / order['out']).mkdir(parents=True)
-    desk.flown({'reason': reason})
+    desk.flown({'reason': reason, 'words': 'Docked', 'success': True})
     assert desk.view()['stage'] == 'flying'     # its folder is still being written
     desk.ended(order['out'])
     return folder / order['out']
@@ -170,3 +170,11 @@ def test_a_session_file_that_is_none_is_refused_in_one_line(tmp_path, text, name
     with pytest.raises(ValueError, match=names) as refused:
         read_session(file)
     assert '\n' not in str(refused.value)
+
+
+def test_the_note_of_a_session_is_kept_for_its_report(tmp_path):
+    file = tmp_path / 's.yaml'
+    file.write_text('conditions: {manual: {mode: manual}}\nnote: as known from elsewhere\n')
+    Desk(read_session(file), tmp_path / 'session')
+    kept = json.loads((tmp_path / 'session' / 'session.json').read_text())
+    assert kept['note'] == 'as known from elsewhere'

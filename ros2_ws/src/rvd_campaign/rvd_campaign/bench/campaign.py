@@ -15,8 +15,8 @@ from rvd_campaign import catalogue
 from rvd_campaign.campaign import engine
 from rvd_campaign.campaign.progress import Progress
 from rvd_campaign.campaign.spec import Campaign, load_campaign
-from rvd_campaign.loop import fly, LoopSettings
-from rvd_campaign.scenario import load
+from rvd_dynamics.diagram.in_process import fly
+from rvd_dynamics.diagram.scenario import load, Scenario
 
 MIN_RUNS_PER_CORE_S = 3000
 MIN_RATIO = 50
@@ -37,10 +37,10 @@ def measure(quick: bool = False) -> dict:
     paper = load(catalogue.find('scenarios', 'paper', ('.yaml',)))
     batch, table = (BATCH // 4, TABLE_RUNS // 20) if quick else (BATCH, TABLE_RUNS)
     # One filterpy filter with its own covariance, one pilot, one link plan ... for each run.
-    alone = paper.with_values('state_predictor', filter='adaptive').loop()
+    alone = paper.with_values('state_predictor', filter='adaptive')
     fly(alone, [0])                             # imports filterpy
     repeats = 1 if quick else 3
-    rate = max(_rate(paper.loop(), range(batch)) for _ in range(repeats))
+    rate = max(_rate(paper, range(batch)) for _ in range(repeats))
     slow = max(_rate_one_by_one(alone, 2 if quick else ONE_BY_ONE) for _ in range(repeats))
     with tempfile.TemporaryDirectory() as folder:
         _flying_s(load_campaign('table3', 200), Path(folder) / 'warm', 2)   # starts processes
@@ -51,17 +51,17 @@ def measure(quick: bool = False) -> dict:
             'table_runs': table, 'table3_s': round(_campaign_s(table, 2), 1)}
 
 
-def _rate(settings: LoopSettings, runs: range) -> float:
+def _rate(scenario: Scenario, runs: range) -> float:
     begun = time.process_time()
-    fly(settings, runs)
+    fly(scenario, runs)
     return len(runs) / (time.process_time() - begun)
 
 
-def _rate_one_by_one(settings: LoopSettings, count: int) -> float:
+def _rate_one_by_one(scenario: Scenario, count: int) -> float:
     """Return runs per second of CPU when each is flown by itself."""
     begun = time.process_time()
     for run in range(count):
-        fly(settings, [run])
+        fly(scenario, [run])
     return count / (time.process_time() - begun)
 
 

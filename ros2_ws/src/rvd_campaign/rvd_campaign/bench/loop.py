@@ -3,10 +3,11 @@ The in-process loop of the default scenario: one run alone, and the price of a r
 """
 
 import time
+from collections.abc import Sequence
 
 from rvd_campaign import catalogue
-from rvd_campaign.loop import fly
-from rvd_campaign.scenario import load
+from rvd_dynamics.diagram.in_process import Batch, fly
+from rvd_dynamics.diagram.scenario import load, Scenario
 
 MAX_ALONE_S = 0.2
 BATCH = 1000
@@ -19,16 +20,16 @@ def measure(repeats: int = 5, batch: int = BATCH) -> dict:
     The best of the repeats counts: the loop waits for nothing, so what is above it is other work
     on the machine.
     """
-    settings = load(catalogue.find('scenarios', 'paper', ('.yaml',))).loop()
-    first, flight = _timed(settings, [0])
-    alone = [_timed(settings, [0])[0] for _ in range(max(repeats, 1))]
-    together, _ = _timed(settings, range(batch))
-    return {'steps': int(flight.end_step[0]), 'alone_s': round(min(alone), 4),
+    paper = load(catalogue.find('scenarios', 'paper', ('.yaml',)))
+    first, flown = _timed(paper, [0])
+    alone = [_timed(paper, [0])[0] for _ in range(max(repeats, 1))]
+    together, _ = _timed(paper, range(batch))
+    return {'steps': int(flown.end_step[0]), 'alone_s': round(min(alone), 4),
             'first_s': round(first, 3), 'batch': batch,
             'batch_ms_per_run': round(1e3 * together / batch, 3)}
 
 
-def _timed(settings, runs) -> tuple[float, object]:
+def _timed(scenario: Scenario, runs: Sequence[int]) -> tuple[float, Batch]:
     begun = time.perf_counter()
-    flight = fly(settings, runs)
-    return time.perf_counter() - begun, flight
+    flown = fly(scenario, runs)
+    return time.perf_counter() - begun, flown

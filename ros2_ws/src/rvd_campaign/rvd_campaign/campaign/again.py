@@ -9,21 +9,22 @@ from typing import Any
 import numpy as np
 
 from rvd_campaign.campaign.engine import check_same, open_folder, refly
-from rvd_campaign.campaign.lunar_columns import LAYOUT
-from rvd_campaign.campaign.results import rows, Table
+from rvd_campaign.campaign.results import order_of, rows, Table
 from rvd_campaign.exits import CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_FAILED
 from rvd_campaign.flight.fly import pace_of
-from rvd_campaign.loop import fly
-from rvd_campaign.scenario import Scenario
+from rvd_dynamics.diagram.in_process import fly, judge_of
 from rvd_dynamics.diagram.judge import judgement
-from rvd_dynamics.judge import Judge
+from rvd_dynamics.diagram.scenario import Scenario
 
 FIXED = ('scenario', 'mode', 'operator', 'tape', 'seed')        # arguments the campaign answers
 
 
 def chosen(args: argparse.Namespace) -> Scenario:
     """Return the scenario of the run that the command line names."""
-    return _chosen(args)[0].with_values('/**', **pace_of(args.pace))
+    values = pace_of(args.pace)
+    if args.processes:
+        values['processes'] = args.processes
+    return _chosen(args)[0].with_values('/**', **values)
 
 
 def _chosen(args: argparse.Namespace) -> tuple[Scenario, Table]:
@@ -49,10 +50,10 @@ def compared(args: argparse.Namespace, content: dict[str, Any]) -> str:
 def in_process(args: argparse.Namespace) -> int:
     """Fly the run in this process and compare every column; return the exit code of `fly`."""
     scenario, row = _chosen(args)
-    flight = fly(scenario.loop(), [args.run_number])
-    judged = judgement(Judge(scenario.mission), flight.verdict, 0)
+    flown = fly(scenario, [args.run_number])
+    judged = judgement(judge_of(scenario), flown.verdict, 0)
     print(f'{args.condition}, run {args.run_number}: {judged.headline}')
-    mine = rows(flight, LAYOUT)
+    mine = rows(flown, order_of(scenario.mission))
     different = [name for name, values in row.items()
                  if not np.array_equal(values, mine[name], equal_nan=values.dtype.kind == 'f')]
     print(_said(args, different))

@@ -2,7 +2,7 @@
 `./rvd calibrate`: fits the pilot to condition 1 and says what condition 1 can tell.
 
 Target  the paper's condition 1 (manual, 100 runs): its success rate and, over successes, its
-        means (`lunar_columns`). Nothing of condition 2 is looked at.
+        means (`lunar_approach.campaigns`). Nothing of condition 2 is looked at.
 Fit     the first free number makes the success rate the paper's (a root); a second one, if asked
         for, then brings the means closest (least squares in the paper's standard errors).
         Every look at a pilot flies the same runs with the same draws, so that looks differ
@@ -26,13 +26,14 @@ from numpy.typing import NDArray
 
 from rvd_campaign import catalogue
 from rvd_campaign.campaign import engine, stats
-from rvd_campaign.campaign.lunar_columns import PAPER_MEANS, PAPER_RUNS, PAPER_SUCCESSES
 from rvd_campaign.campaign.results import Stretch, Table
 from rvd_campaign.exits import CannotRun, EXIT_DONE
-from rvd_campaign.scenario import load, nearest, Scenario
 from rvd_dynamics.diagram.params import flatten
+from rvd_dynamics.diagram.scenario import load, nearest, Scenario
 from rvd_dynamics.recording import whole
 from rvd_groundstation.operators.pilot import PilotParams, PILOTS
+from rvd_missions.lunar_approach import MISSION
+from rvd_missions.lunar_approach.campaigns import PAPER_MEANS, PAPER_RUNS, PAPER_SUCCESSES
 
 MEASURES = tuple(PAPER_MEANS)                   # whose means the paper gives
 STATISTICS = ('success', *MEASURES)
@@ -73,7 +74,7 @@ class Bench:
 
     def look(self, *pilots: PilotParams) -> list[Look]:
         """Return what each pilot does."""
-        code = (engine.code_hash(), *engine.versions().values())
+        code = engine.software(self.scenario.mission)
         parts = [Stretch(0, first, min(BATCH, self.runs - first))
                  for first in range(0, self.runs, BATCH)]
         scenarios = [self._with(pilot) for pilot in pilots]
@@ -290,6 +291,9 @@ def _asked(args: argparse.Namespace) -> tuple[PilotParams, list[str], Scenario]:
     if args.workers is not None and args.workers < 1:
         raise CannotRun(f'--workers must be at least 1, got {args.workers}')
     scenario = load(catalogue.find('scenarios', args.scenario, ('.yaml',)))
+    if scenario.mission.name != MISSION.name:
+        raise CannotRun(f'--scenario {args.scenario}: only pilots of {MISSION.name} can be fitted, '
+                        f'and this is mission {scenario.mission.name}')
     scenario = scenario.with_values('/**', seed=args.seed, run=0, mode='manual', operator='model')
     if args.pilot in PILOTS:
         pilot = PILOTS[args.pilot]

@@ -26,19 +26,20 @@ import threading
 import time
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
 import joblib
 
-from rvd_campaign.campaign import lunar_columns, results
+from rvd_campaign.campaign import results
 from rvd_campaign.campaign.progress import Progress
 from rvd_campaign.campaign.results import Stretch, Table
 from rvd_campaign.campaign.spec import Campaign, CampaignError, from_dict
-from rvd_campaign.loop import draw, draws_key, fly
-from rvd_campaign.scenario import Scenario
+from rvd_dynamics.diagram.in_process import draw, draws_key, fly
+from rvd_dynamics.diagram.mission import Mission
+from rvd_dynamics.diagram.scenario import Scenario, ScenarioError
 from rvd_dynamics.recording import whole
 
 KEPT, PARTS, RESULTS = 'campaign.json', 'parts', 'results.parquet'
@@ -49,6 +50,7 @@ SPARE_BYTES = 8 << 20           # of disk, for summary and report
 FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 MATTERS = ('numpy', 'scipy', 'filterpy')        # packages whose version may move a last bit
 SOURCES = ('.py', '.c', '.h')
+NO_SOURCES = {'nodes', 'ros', 'recording'}      # folders on which no run in process depends
 PR_SET_PDEATHSIG = 1                            # linux/prctl.h
 
 
@@ -71,22 +73,30 @@ def default_workers() -> int:
 
 # -- identity --------------------------------------------------------------------------------
 
-@lru_cache(maxsize=1)
-def code_hash() -> str:
-    """Return the hash of the sources that a run depends on."""
-    import rvd_campaign.loop
-    import rvd_campaign.scenario
-    import rvd_dynamics
-    import rvd_groundstation
-    made = hashlib.sha256()
-    for package in (rvd_dynamics, rvd_groundstation):
-        folder = Path(package.__file__).resolve().parent
-        for path in sorted(p for p in folder.rglob('*') if p.suffix in SOURCES):
-            if not {'nodes', 'ros', 'recording'} & set(path.relative_to(folder).parts):
-                made.update(f'{path.relative_to(folder)}\0'.encode() + path.read_bytes())
-    for module in (rvd_campaign.loop, rvd_campaign.scenario, results, lunar_columns):
-        made.update(Path(module.__file__).read_bytes())
+def code_hash(mission: Mission) -> str:
+    """Return the hash of the sources that a run of a mission depends on."""
+    return _code_hash(mission.diagram.partition(':')[0].partition('.')[0])
+
+
+@lru_cache(maxsize=None)
+def _code_hash(package: str) -> str:
+    """Return the hash of the ground loop's sources and those of the package of a mission."""
+    made = hashlib.sha256(Path(results.__file__).read_bytes())
+    for name in dict.fromkeys(('rvd_dynamics', 'rvd_groundstation', package)):
+        found = importlib.util.find_spec(name)
+        for folder in sorted(map(Path, found.submodule_search_locations or [])):
+            for path in sorted(p for p in folder.rglob('*') if p.suffix in SOURCES):
+                if not NO_SOURCES & set(path.relative_to(folder).parts):
+                    made.update(f'{name}/{path.relative_to(folder)}\0'.encode()
+                                + path.read_bytes())
+        if found.submodule_search_locations is None:            # a module by itself
+            made.update(f'{name}\0'.encode() + Path(found.origin).read_bytes())
     return made.hexdigest()
+
+
+def software(mission: Mission) -> tuple[str, ...]:
+    """Return what must be equal in every process that flies runs of a mission."""
+    return code_hash(mission), *versions().values()
 
 
 def versions() -> dict[str, str]:
@@ -98,8 +108,8 @@ def identity(campaign: Campaign) -> dict[str, str]:
     """Return what must be equal for two runs of the same number to be the same run."""
     settings = json.dumps([campaign.seed, [(c.name, c.scenario.resolved())
                                            for c in campaign.conditions]])
-    return {'settings': hashlib.sha256(settings.encode()).hexdigest(), 'code': code_hash(),
-            **versions()}
+    return {'settings': hashlib.sha256(settings.encode()).hexdigest(),
+            'code': code_hash(campaign.mission), **versions()}
 
 
 def open_folder(folder: Path) -> tuple[Campaign, dict]:
@@ -117,6 +127,8 @@ def open_folder(folder: Path) -> tuple[Campaign, dict]:
     except OSError as error:
         raise CampaignError(f'{folder} is not the folder of a campaign: {KEPT}: '
                             f'{error.strerror}') from None
+    except ScenarioError as error:              # of a mission that is not installed, for instance
+        raise CampaignError(f'{folder / KEPT}: {error}') from None
     except (ValueError, KeyError, TypeError) as error:
         raise CampaignError(f'{folder / KEPT} is damaged: {error}') from None
 
@@ -177,7 +189,7 @@ def stretches(campaign: Campaign, done: list[Stretch], workers: Workers) -> list
     """Return what is to be flown, all conditions advancing together."""
     todo = []
     for index, condition in enumerate(campaign.conditions):
-        steps = condition.scenario.mission.last_step + 1
+        steps = condition.scenario.run.last_step + 1
         size = workers.batch or _batch(campaign.runs, max(1, BATCH_STEPS // steps), workers.count)
         for gap in results.missing(done, index, campaign.runs):
             todo += [Stretch(index, first, min(size, gap.stop - first))
@@ -213,7 +225,7 @@ def full_disk(folder: Path, error: OSError) -> Exception:
 def _flown(campaign: Campaign, todo: list[Stretch], workers: Workers
            ) -> Iterator[tuple[Stretch, Table, float]]:
     """Yield stretches as they are finished, in any order."""
-    code, parent = (code_hash(), *versions().values()), os.getpid()
+    code, parent = software(campaign.mission), os.getpid()
     work = (joblib.delayed(fly_together)(task, code, parent) for task in tasks(campaign, todo))
     with BACKENDS[workers.backend](workers.scheduler):
         if workers.backend == 'ray':            # its joblib backend hands nothing out early
@@ -289,7 +301,7 @@ Task = list[tuple[Scenario, Stretch]]           # of the same runs, with the sam
 def tasks(campaign: Campaign, todo: list[Stretch]) -> Iterator[Task]:
     """Yield stretches in handfuls that share their draws, which cost more than the flying."""
     kinds: dict[Any, int] = {}
-    kind = [kinds.setdefault(draws_key(c.scenario.loop(), ()), len(kinds))
+    kind = [kinds.setdefault(draws_key(c.scenario, ()), len(kinds))
             for c in campaign.conditions]
     order = sorted(todo, key=lambda s: (s.first, s.count, kind[s.condition], s.condition))
     for _, same in itertools.groupby(
@@ -314,17 +326,17 @@ def fly_together(task: Task, code: tuple, parent: int) -> list[tuple[Stretch, Ta
     """
     if os.getppid() == parent:
         _live_with_parent()
-    if code != (code_hash(), *versions().values()):
+    if code != software(task[0][0].mission):
         raise CampaignError('a worker has another version of this software or of '
                             f'{", ".join(MATTERS)}')
     begun = time.thread_time()
-    draws = draw(task[0][0].loop(), task[0][1].runs)
+    draws = draw(task[0][0], task[0][1].runs)
     each = (time.thread_time() - begun) / len(task)
     made = []
     for scenario, stretch in task:
         begun = time.thread_time()
-        flight = fly(scenario.loop(), stretch.runs, draws=draws)
-        table = results.rows(flight, lunar_columns.LAYOUT)
+        flown = fly(scenario, stretch.runs, draws=draws)
+        table = results.rows(flown, results.order_of(scenario.mission))
         made.append((stretch, table, each + time.thread_time() - begun))
     return made
 
@@ -378,7 +390,7 @@ def refly(folder: Path, name: str, run: int) -> tuple[Scenario, Table]:
     index = campaign.conditions.index(condition)
     row = _row(folder, index, run)
     scenario = condition.scenario.with_values('/**', run=run)
-    return replace(scenario, name=f'{campaign.name}-{name}-{run}'), row
+    return scenario.renamed(f'{campaign.name}-{name}-{run}'), row
 
 
 def _row(folder: Path, condition: int, run: int) -> Table:

@@ -1,34 +1,29 @@
 """
-The figures of a campaign, drawn from its result table; tracks are flown again for those shown.
+The figures of a campaign that any mission can have, drawn from its summary and result table.
 
-`FIGURES` lists them by the name a campaign file gives: title, and a function of the results that
-returns drawing and caption. Look and colours are those of the figures of a run.
+`figures_of` lists them by the name a campaign file gives, with those of the mission. Look and
+colours are those of the figures of a run.
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
-from math import ceil
 from typing import Any
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.patches import Circle
 import numpy as np
 from numpy.typing import NDArray
 
 from rvd_campaign.campaign import stats
 from rvd_campaign.campaign.results import Table
 from rvd_campaign.campaign.spec import Campaign, Condition
-from rvd_campaign.report.figures import BLUE, GREEN, INK, MUTED, ORANGE, VERMILLION, WIDTH_IN
-from rvd_campaign.loop import fly
-from rvd_dynamics.geometry import cone
+from rvd_dynamics.diagram.build import loaded
+from rvd_dynamics.diagram.mission import Mission
+from rvd_dynamics.recording.drawing import (
+    BLUE, CampaignFigure, canvas, DASHED, INK, LINES, VERMILLION)
 
-LANDED, TRACKS = 300, 40                # runs shown per condition
 PANELS = 8                              # conditions in a figure of panels
-DASHED = (0, (5, 3))
-LINES = [(BLUE, '-', 'o'), (VERMILLION, DASHED, 's'), (GREEN, (0, (8, 2, 1, 2)), '^'),
-         (ORANGE, (0, (2, 1.5)), 'D'), (INK, '-', 'v'), (MUTED, DASHED, 'P')]
+ALWAYS = ('run', 'success', 'reason')   # columns that every result table has
 Drawn = tuple[Figure, str]
 
 
@@ -54,7 +49,7 @@ class Results:
 def success(results: Results) -> Drawn:
     """Draw the success rate of each condition with its interval, beside the references."""
     names = list(results.rows)
-    figure = _figure(max(1.6, 0.75 + 0.28*len(names)), left=0.27)
+    figure = canvas(max(1.6, 0.75 + 0.28*len(names)), left=0.27)
     axes = figure.subplots()
     for at, name in enumerate(names):
         row = results.rows[name]
@@ -67,9 +62,10 @@ def success(results: Results) -> Drawn:
     axes.set(yticks=range(len(names)), ylim=(len(names) - 0.4, -0.6), xlabel='success rate')
     axes.set_yticklabels(names)
     axes.grid(axis='y', visible=False)
-    caption = 'Bars: 95 % intervals (Wilson). Hollow: fitted to this very number, no prediction.'
+    caption = ('Bars: 95 % intervals (Wilson). Hollow markers: fitted to this very success rate, '
+               'so not a prediction.')
     if any('condition' in row for row in results.campaign.reference.values()):
-        caption += ' Diamonds: the references of the table.'
+        caption += ' Diamonds: the reference rows of the table.'
     return figure, caption
 
 
@@ -81,105 +77,11 @@ def _interval(axes: Axes, at: float, successes: int, runs: int, colour: str, mar
               markerfacecolor='none' if hollow else colour)
 
 
-def landing(results: Results) -> Drawn:
-    """Draw where successful runs met the docking plane (the paper's figure 7)."""
-    shown = results.shown
-    columns = min(len(shown), 4 if len(shown) in (4, 7, 8) else 3)
-    lines = ceil(len(shown) / columns)
-    figure = _figure(0.3 + 3.1*lines, hspace=0.42, wspace=0.24)
-    for axes, condition in zip(figure.subplots(lines, columns, squeeze=False).flat, shown):
-        mission, table = condition.scenario.mission, results.tables[condition.name]
-        good = np.flatnonzero(table['success'])[:LANDED]
-        axes.plot(table['y_m'][good], table['z_m'][good], '.', color=BLUE, markersize=4.5,
-                  alpha=0.6, markeredgewidth=0)
-        radius = mission.corridor.docking_radius_m
-        axes.add_patch(Circle((0, 0), radius, fill=False, edgecolor=INK, linewidth=1.6,
-                              linestyle=DASHED))
-        axes.set(xlim=(-1.1*radius, 1.1*radius), ylim=(-1.1*radius, 1.1*radius), aspect='equal',
-                 xlabel='y, radial [m]', ylabel='z, cross track [m]')
-        upper = table['y_m'][table['success']] > 0.0
-        axes.set_title(f'{condition.name}\n{100*upper.mean():.0f} % at y > 0' if upper.size
-                       else condition.name)
-    for axes in figure.axes[len(shown):]:
-        axes.remove()
-    return figure, (
-        f'Where successful runs met the docking plane, at most the first {LANDED} of each '
-        'condition, looking along the direction of flight; dashed: the limit. The shares count '
-        'all successes.')
-
-
-def tracks(results: Results) -> Drawn:
-    """Draw tracks of successful runs in both planes (the paper's figures 8 to 11)."""
-    shown = results.shown
-    figure = _figure(0.55 + 2.25*len(shown), hspace=0.34, wspace=0.14, top=0.58)
-    panels = figure.subplots(len(shown), 2, squeeze=False, sharex=True)
-    outside = []
-    for line, condition in zip(panels, shown):
-        states = flown_again(condition, results.tables[condition.name])
-        for axes, lateral in zip(line, (1, 2)):
-            _side_view(axes, condition, states, lateral)
-            axes.set_title(f'{condition.name}: x-{"xyz"[lateral]}')
-        if states.shape[1]:
-            outside.append(f'{condition.name} {100*_left_boundary(condition, states):.0f} %')
-    for axes in panels[-1]:
-        axes.set_xlabel('x, along track [m]')
-    figure.legend(*panels[0, 0].get_legend_handles_labels(), ncols=3, loc='upper right',
-                  bbox_to_anchor=(0.99, 1.0))
-    return figure, (
-        f'The first {TRACKS} successful runs of each condition, flown again for this figure. '
-        'Dashed: the corridor wall; solid: the control boundary. Each plane shows the cone cut '
-        'along its axis. Of the runs shown, so many were beyond the control boundary for a '
-        f'while: {"; ".join(outside) or "none shown"}. The paper says that shared tracks stay '
-        'inside it.')
-
-
-def flown_again(condition: Condition, table: Table) -> NDArray[np.float64]:
-    """Return the states (steps, n, 6) of the first successful runs of a condition."""
-    runs = table['run'][table['success']][:TRACKS]
-    if not len(runs):
-        return np.empty((0, 0, 6))
-    return fly(condition.scenario.loop(), runs.tolist(), record=True).history.truth
-
-
-def _left_boundary(condition: Condition, states: NDArray[np.float64]) -> float:
-    mission = condition.scenario.mission
-    x, y, z = states[..., 0], states[..., 1], states[..., 2]
-    beyond = np.sqrt(y*y + z*z) > _boundary(mission, np.minimum(x, 0.0))    # NaN compares false
-    return float((beyond & (x < 0.0)).any(axis=0).mean())
-
-
-def _boundary(mission: Any, x: NDArray[np.float64]) -> NDArray[np.float64]:
-    return cone.control_boundary(x, mission.corridor, mission.orbit.mean_motion,
-                                     delay=mission.forward_delay_s + mission.back_delay_s)
-
-
-def _side_view(axes: Axes, condition: Condition, states: NDArray[np.float64], lateral: int
-               ) -> None:
-    mission = condition.scenario.mission
-    first = mission.start.position_m[0]
-    x = np.linspace(first, 0.0, 121)
-    wall, inner = cone.radius(x, mission.corridor), _boundary(mission, x)
-    for sign in (1.0, -1.0):
-        axes.plot(x, sign*wall, color=INK, linestyle=DASHED, linewidth=1.8,
-                  label='corridor wall' if sign > 0 else None)
-        axes.plot(x, sign*inner, color=ORANGE, linewidth=1.8,
-                  label='control boundary' if sign > 0 else None)
-    every = max(1, round(2.0 / mission.step_s))
-    for run in range(states.shape[1]):
-        track = states[np.isfinite(states[:, run, 0]), run]
-        track = np.concatenate([track[:-1:every], track[-1:]])
-        axes.plot(track[:, 0], track[:, lateral], color=BLUE, linewidth=0.7, alpha=0.55,
-                  label='flown' if run == 0 else None)
-    widest = 1.08 * float(wall.max())
-    axes.set(xlim=(first - 0.3, 0.6), ylim=(-widest, widest),
-             ylabel=f'{"xyz"[lateral]}, {("", "radial", "cross track")[lateral]} [m]')
-
-
 def curve(results: Results) -> Drawn:
     """Draw the success rate over the first axis of the grid, one line per group."""
     conditions = results.campaign.conditions
     axis = next((a for a in conditions[0].at if _number(conditions[0].at[a]) is not None), None)
-    figure = _figure(3.9, top=0.15)
+    figure = canvas(3.9, top=0.15)
     axes = figure.subplots()
     if axis is None:
         return figure, 'The grid has no axis of numbers.'
@@ -203,7 +105,7 @@ def curve(results: Results) -> Drawn:
              else axis.rsplit('.', 1)[-1], ylabel='success rate')
     if len(lines) > 1 or any('at' in row for row in results.campaign.reference.values()):
         axes.legend(loc='best')
-    return figure, 'Success rate; shaded: 95 % intervals (Wilson) of each point by itself.'
+    return figure, 'Success rate. Shaded: 95 % interval (Wilson) of each point on its own.'
 
 
 def _reference_point(axes: Axes, x: float, row: dict, label: str) -> None:
@@ -212,29 +114,11 @@ def _reference_point(axes: Axes, x: float, row: dict, label: str) -> None:
                   label=label)
 
 
-def failures(results: Results) -> Drawn:
-    """Draw at which station runs left the corridor."""
-    shown = results.shown
-    figure = _figure(3.4, top=0.15)
-    axes = figure.subplots()
-    first = min(c.scenario.mission.start.position_m[0] for c in shown)
-    bins = np.linspace(first, 0.0, 61)
-    for condition, (colour, style, _) in zip(shown, LINES * 2):
-        table = results.tables[condition.name]
-        where = table['failed_x_m'][table['reason'] == 'left_corridor']
-        share = np.histogram(where, bins)[0] / len(table['run'])
-        axes.stairs(100*np.cumsum(share), bins, color=colour, linestyle=style, linewidth=1.6,
-                    baseline=None, label=condition.name)
-    axes.set(xlabel='station x [m]', ylabel='left the corridor so far [% of runs]')
-    axes.legend(loc='upper left')
-    return figure, 'Share of all runs that have left the corridor on the way to a station.'
-
-
 def replicates(results: Results) -> Drawn:
     """Draw how experiments of the paper's size scatter."""
     campaign = results.campaign
     size = campaign.replicates[0] * campaign.replicates[1] if campaign.replicates else 1
-    figure = _figure(3.3, wspace=0.22)
+    figure = canvas(3.3, wspace=0.22)
     left, right = figure.subplots(1, 2)
     rates = {name: table['success'].reshape(-1, size).mean(axis=1)
              for name, table in results.tables.items()}
@@ -255,9 +139,9 @@ def replicates(results: Results) -> Drawn:
     right.legend(loc='upper left')
     count = len(next(iter(rates.values())))
     return figure, (
-        f'{count:,} experiments of {size} runs each. Right: differences between the two '
-        'conditions of one experiment, as flown here with the same people, starts and noise '
-        '(same draws), and against the next experiment (other draws: other people too).')
+        f'{count:,} experiments of {size} runs each. Right: difference between the two conditions '
+        'within one experiment, flown with the same people, starts and noise (same draws), and '
+        'between one experiment and the next (other draws, and so other people).')
 
 
 def _bars(axes: Axes, values: NDArray, size: int, colour: str, style: Any, label: str) -> None:
@@ -268,26 +152,42 @@ def _bars(axes: Axes, values: NDArray, size: int, colour: str, style: Any, label
     axes.stairs(filled, edges, color=colour, linestyle=style, linewidth=1.5, label=label)
 
 
-FIGURES: dict[str, tuple[str, Callable[[Results], Drawn]]] = {
-    'success': ('Success', success),
-    'curve': ('Success over the grid', curve),
-    'landing': ('At the docking plane', landing),
-    'tracks': ('Tracks', tracks),
-    'failures': ('Where runs fail', failures),
-    'replicates': ('Experiments of the paper\u2019s size', replicates),
-}
-NEEDED = ['run', 'success', 'reason', 'failed_x_m', 'y_m', 'z_m']       # columns
-
-
-def _figure(height_in: float, top: float = 0.35, left: float = 0.07, **spaces: float) -> Figure:
-    figure = Figure(figsize=(WIDTH_IN, height_in))
-    figure.subplots_adjust(left=left, right=0.985, bottom=0.47/height_in,
-                           top=1.0 - top/height_in, **spaces)
-    return figure
-
-
 def _number(value: Any) -> float | None:
     try:
         return float(value)
     except (TypeError, ValueError):
         return None
+
+
+FIGURES = {
+    'success': CampaignFigure(success, 'Success'),
+    'curve': CampaignFigure(curve, 'Success over the grid'),
+    'replicates': CampaignFigure(replicates, 'Experiments of the paper\u2019s size'),
+}
+
+
+def figures_of(mission: Mission) -> dict[str, CampaignFigure]:
+    """
+    Return the figures that a campaign of a mission may have, by name.
+
+    Raises
+    ------
+    ValueError
+        If the mission's table of figures cannot be loaded; one line.
+    """
+    try:
+        return {**FIGURES, **(loaded(mission.campaign_figures) if mission.campaign_figures else {})}
+    except (ImportError, ValueError) as error:
+        raise ValueError(f'mission {mission.name}: campaign figures: {error}') from None
+
+
+def shown_by(campaign: Campaign) -> dict[str, CampaignFigure]:
+    """Return the figures that a campaign asks for, by name."""
+    known = figures_of(campaign.mission)
+    return {name: known[name] for name in campaign.figures or ('success',)}
+
+
+def needed(campaign: Campaign) -> list[str]:
+    """Return the columns of the result table from which a campaign's figures are drawn."""
+    return list(dict.fromkeys((*ALWAYS, *(column for figure in shown_by(campaign).values()
+                                          for column in figure.columns))))

@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterator
 from typing import Any
 
-from rvd_campaign.scenario import ScenarioError
+from rvd_dynamics.diagram.scenario import ScenarioError
 from rvd_dynamics.diagram.time_grid import whole_steps
 
 

@@ -1,8 +1,9 @@
 """
 The result table of a campaign: one row per run, the parts it is made of, and its hash.
 
-Table   run, success, reason, duration_s, the measures of the mission's judge, and the columns
-        that the mission adds (`Layout`), sorted by condition (order of the campaign) and run.
+Table   run, success, reason, duration_s, the measures of the mission's judge, and the mission's
+        own columns, or those of them that it orders (`Mission.columns`); sorted by condition
+        (order of the campaign) and run.
         Unknown is NaN. Columns are text, bool, int64 or float64.
 Parts   `parts/cCCCC-rFIRST-nCOUNT.parquet`: a stretch of runs of one condition, written whole or
         not at all. Which stretches there are depends on how the work was
@@ -13,18 +14,19 @@ Hash    SHA-256 over the conditions' names, the columns' names and types and the
 
 import hashlib
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import IO, NamedTuple
+from typing import Any, IO, NamedTuple
 
 import numpy as np
 import pyarrow
 import pyarrow.parquet
 from numpy.typing import NDArray
 
-from rvd_campaign.loop import Flight
+from rvd_dynamics.diagram.build import loaded
 from rvd_dynamics.diagram.judge import table_columns
+from rvd_dynamics.diagram.mission import Mission
 from rvd_dynamics.recording import whole
 
 Table = dict[str, NDArray]              # column: values of N runs
@@ -34,13 +36,6 @@ ARROW = {'U': pyarrow.string(), '?': pyarrow.bool_(), 'i8': pyarrow.int64(),
          'f8': pyarrow.float64()}
 BYTES_PER_RUN = 250                     # on disk, parts and result together, rounded up
 PART = re.compile(r'c(\d{4})-r(\d{10})-n(\d+)\.parquet')
-
-
-class Layout(NamedTuple):
-    """What a mission adds to the table of its campaigns, and the order of all columns."""
-
-    columns: Callable[[Flight], Table] = lambda flight: {}
-    order: tuple[str, ...] = ()         # names of the columns to keep; empty: all
 
 
 class Stretch(NamedTuple):
@@ -61,20 +56,25 @@ class Stretch(NamedTuple):
         return f'c{self.condition:04d}-r{self.first:010d}-n{self.count}.parquet'
 
 
-def rows(flight: Flight, layout: Layout = Layout()) -> Table:
+def order_of(mission: Mission) -> tuple[str, ...]:
+    """Return the columns that a mission wants in its table, in their order; empty: all."""
+    return tuple(loaded(mission.columns)) if mission.columns else ()
+
+
+def rows(flown: Any, order: Sequence[str] = ()) -> Table:
     """
-    Return the rows of flown runs.
+    Return the rows of a `Batch` of flown runs, with the columns named in `order`, or all.
 
     Raises
     ------
     ValueError
-        If the layout orders a column that there is not, or one is neither text nor number.
+        If a column is ordered that there is not, or one is neither text nor number.
     """
-    made = {'run': flight.runs, **table_columns(flight.verdict), **layout.columns(flight)}
-    unknown = [name for name in layout.order if name not in made]
+    made = {'run': flown.runs, **table_columns(flown.verdict), **flown.columns}
+    unknown = [name for name in order if name not in made]
     if unknown:
         raise ValueError(f'no column {unknown[0]}: there are {", ".join(made)}')
-    return {name: _stored(name, made[name]) for name in layout.order or made}
+    return {name: _stored(name, made[name]) for name in order or made}
 
 
 def _stored(name: str, values: NDArray) -> NDArray:

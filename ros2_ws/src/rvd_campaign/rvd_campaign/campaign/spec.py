@@ -13,8 +13,9 @@ The campaign file: which conditions are flown, how often, and with which seed.
     reference: {WORDS: {condition: NAME, runs: 100, successes: 76, means: {...}}}
     figures: [NAME], notes: [WORDS]
 
-CHANGES maps a section of the scenario to its keys, and knows two short words: `pilot` (A, B, C
-or a file of `rvd calibrate`) and `loop_delay_s`. An AXIS is a key with its section
+CHANGES maps a section of the scenario to its keys, and knows short words: `loop_delay_s`, where
+the mission's link has two delays, and those of the mission (the lunar approach has `pilot`: A, B,
+C or a file of `rvd calibrate`). An AXIS is a key with its section
 (`command_blender.eq25.eta: [0.5, 0.7]`), a short word, or a name with labelled CHANGES. Later
 ones win: set, condition, axes in their order. Every condition is built before the first run.
 """
@@ -28,18 +29,19 @@ from typing import Any
 
 from rvd_campaign import catalogue
 from rvd_campaign.campaign.grid import Cells, legs
-from rvd_campaign.scenario import (
-    check_keys, flat_keys, load, mapping_of, nearest, parse, Scenario, ScenarioError, SETTINGS,
-    SHARED, text_of)
-from rvd_dynamics.diagram.params import flatten
-from rvd_groundstation.operators.pilot import PILOTS
+from rvd_dynamics.diagram import in_process
+from rvd_dynamics.diagram.build import loaded
+from rvd_dynamics.diagram.mission import Mission
+from rvd_dynamics.diagram.scenario import (
+    flat_keys, load, mapping_of, nearest, parse, Scenario, ScenarioError, SHARED, text_of)
 
 MAX_CONDITIONS = 1000
 MAX_RUNS = 10_000_000           # of all conditions; a table of 2 GB
 KEYS = ('scenario', 'seed', 'runs', 'set', 'conditions', 'grid', 'compare', 'replicates', 'fitted',
         'reference', 'figures', 'notes')
-SHORT_WORDS = ('pilot', 'loop_delay_s')
-OF_THE_CAMPAIGN = ('seed', 'run', 'nodes')      # keys of a scenario that no condition may change
+LOOP_DELAY = 'loop_delay_s'             # the short word for both delays of the link
+DELAYS = ('forward_delay_s', 'back_delay_s')
+OF_THE_CAMPAIGN = ('mission', 'seed', 'run', 'nodes', 'processes')  # no condition may change them
 NAME = re.compile(r'[A-Za-z0-9][\w.+ -]*')
 
 
@@ -76,6 +78,11 @@ class Campaign:
 
     def __post_init__(self) -> None:
         check_runs(self.runs, len(self.conditions))
+
+    @property
+    def mission(self) -> Mission:
+        """The mission that is flown, the same in all conditions."""
+        return self.conditions[0].scenario.mission
 
     def condition(self, name: str) -> Condition:
         """Return a condition by its name, or refuse it with the nearest one."""
@@ -142,6 +149,8 @@ class _Reader:
     def __init__(self, name: str, folder: Path) -> None:
         self._what = f'campaign {name}'
         self._name, self._folder = name, folder
+        self._words: tuple[str, ...] = ()       # short words
+        self._sections: tuple[str, ...] = ()
 
     def read(self, text: str, runs: int | None) -> Campaign:
         """Return the checked campaign; `runs` takes the place of those in the file."""
@@ -152,6 +161,7 @@ class _Reader:
         seed = tree.get('seed', 0)
         if isinstance(seed, bool) or not isinstance(seed, int) or not 0 <= seed < 2**63:
             self._refuse(f'seed must be a whole number, not negative, got {seed}')
+        scenario = self._scenario(tree.get('scenario', 'paper'), seed)
         groups = self._groups(tree.get('conditions', {'all': None}))
         cells = self._cells(tree.get('grid', {}), len(groups))
         runs = tree.get('runs', 1000) if runs is None else runs
@@ -159,7 +169,7 @@ class _Reader:
             check_runs(runs, len(groups)*cells.count)
         except CampaignError as error:
             self._refuse(str(error))
-        base = self._base(tree.get('scenario', 'paper'), tree.get('set'), seed)
+        base = self._changed(scenario, 'set', tree.get('set'))
         conditions = tuple(self._conditions(base, groups, cells, 'conditions' in tree))
         names = [c.name for c in conditions]
         return Campaign(
@@ -168,18 +178,23 @@ class _Reader:
             self._pairs(tree.get('compare'), names),
             self._texts('fitted', tree.get('fitted'), names),
             self._reference(tree.get('reference'), names),
-            self._figures(tree.get('figures', [])), self._notes(tree.get('notes', [])), text)
+            self._figures(base.mission, tree.get('figures', [])),
+            self._notes(tree.get('notes', [])), text)
 
     def _refuse(self, words: str) -> None:
         raise CampaignError(f'{self._what}: {words}')
 
     # -- conditions -----------------------------------------------------------------------
 
-    def _base(self, name: Any, changes: Any, seed: int) -> Scenario:
+    def _scenario(self, name: Any, seed: int) -> Scenario:
+        """Return the scenario that everything is a change of; it brings the words and sections."""
         beside = self._folder / str(name)
         path = beside if beside.is_file() else catalogue.find('scenarios', str(name), ('.yaml',))
         base = load(path).with_values(SHARED, seed=seed, run=0)
-        return self._changed(base, 'set', changes)
+        delays = (LOOP_DELAY,) if all(map(base.has_shared, DELAYS)) else ()
+        self._words = (*base.mission.short_words, *delays)
+        self._sections = (SHARED, *base.mission.sections)
+        return base
 
     def _groups(self, groups: Any) -> dict[str, Any]:
         if not isinstance(groups, dict) or not groups:
@@ -210,12 +225,12 @@ class _Reader:
 
     def _one_key(self, axis: str, value: Any) -> dict[str, Any]:
         """Return the change that one value of an axis means."""
-        if axis in SHORT_WORDS:
+        if axis in self._words:
             return {axis: value}
-        for section in SETTINGS:
+        for section in self._sections:
             if axis.startswith(f'{section}.'):
                 return {section: {axis[len(section) + 1:]: value}}
-        known = [*SHORT_WORDS, *(f'{section}.' for section in SETTINGS)]
+        known = [*self._words, *(f'{section}.' for section in self._sections)]
         self._refuse(f'grid axis {axis} must begin with a section of the scenario'
                      + nearest(axis, known))
 
@@ -240,7 +255,7 @@ class _Reader:
 
     def _buildable(self, name: str, scenario: Scenario) -> None:
         try:
-            scenario.loop()
+            in_process.check(scenario)
         except ValueError as error:
             self._refuse(f'condition {name}: {_bare(error)}')
 
@@ -251,7 +266,7 @@ class _Reader:
         try:
             if not isinstance(changes, dict):
                 raise ScenarioError(f'changes must map sections to keys, got {changes!r}')
-            for key in sorted(changes, key=lambda k: k not in SHORT_WORDS):
+            for key in sorted(changes, key=lambda k: k not in self._words):
                 scenario = self._change(scenario, key, changes[key])
         except CampaignError:
             raise
@@ -261,30 +276,23 @@ class _Reader:
         return scenario
 
     def _change(self, scenario: Scenario, key: Any, value: Any) -> Scenario:
-        if key == 'pilot':
-            return scenario.with_values('operator_model', **_dunder(self._pilot(value)))
-        if key == 'loop_delay_s':
-            return scenario.with_values(SHARED, **legs(value, scenario.mission.step_s))
-        if key not in SETTINGS:
-            raise ScenarioError(f'no section {key!r}' + nearest(str(key),
-                                                                [*SETTINGS, *SHORT_WORDS]))
+        if key in scenario.mission.short_words:
+            changes = loaded(scenario.mission.short_words[key])(value, self._folder)
+            for section, flat in changes.items():
+                scenario = scenario.with_values(section, **_dunder(flat))
+            return scenario
+        if key == LOOP_DELAY and key in self._words:
+            return scenario.with_values(SHARED, **legs(value, scenario.run.step_s))
+        if key not in self._sections:
+            raise ScenarioError(f'no section {key!r}'
+                                + nearest(str(key), (*self._sections, *self._words)))
         if not isinstance(value, dict):
             raise ScenarioError(f'{key} must map keys to values, got {value!r}')
         flat = flat_keys(value, self._what)
         for name in OF_THE_CAMPAIGN:
             if key == SHARED and name in flat:
                 raise ScenarioError(f'{name} belongs to the campaign, not to a condition')
-        check_keys(scenario.name, key, flat)
         return scenario.with_values(key, **_dunder(flat))
-
-    def _pilot(self, value: Any) -> dict[str, Any]:
-        """Return the settings that a pilot's name or file means."""
-        if value in PILOTS:
-            return flatten(PILOTS[value])
-        for path in (self._folder / str(value), Path(str(value))):
-            if path.is_file():
-                return flatten(load(path).settings('operator_model'))
-        raise ScenarioError(f'no pilot {value!r}: give a file or one of {", ".join(PILOTS)}')
 
     # -- what is said about the conditions --------------------------------------------------
 
@@ -299,10 +307,10 @@ class _Reader:
         if runs % size:
             self._refuse(f'runs must be a multiple of {size}, one replicate, got {runs}')
         for condition in conditions:
-            each = condition.scenario.settings('operator_model').runs_per_operator
-            if each != value['runs']:
-                self._refuse(f'condition {condition.name}: runs_per_operator is {each}, the '
-                             f'replicates say {value["runs"]}')
+            for each in _runs_per_operator(condition.scenario):
+                if each != value['runs']:
+                    self._refuse(f'condition {condition.name}: runs_per_operator is {each}, the '
+                                 f'replicates say {value["runs"]}')
         return value['operators'], value['runs']
 
     def _pairs(self, pairs: Any, names: list[str]) -> tuple[tuple[str, str], ...]:
@@ -334,11 +342,12 @@ class _Reader:
                 self._known('reference', row['condition'], names)
         return {str(label): row for label, row in rows.items()}
 
-    def _figures(self, wanted: Any) -> tuple[str, ...]:
-        from rvd_campaign.campaign.figures import FIGURES
+    def _figures(self, mission: Mission, wanted: Any) -> tuple[str, ...]:
+        from rvd_campaign.campaign.figures import figures_of
+        known = figures_of(mission)
         for name in wanted if isinstance(wanted, list) else [wanted]:
-            if name not in FIGURES:
-                self._refuse(f'unknown figure {name}' + nearest(str(name), FIGURES))
+            if not isinstance(name, str) or name not in known:
+                self._refuse(f'unknown figure {name}' + nearest(str(name), known))
         return tuple(wanted)
 
     def _notes(self, notes: Any) -> tuple[str, ...]:
@@ -349,6 +358,12 @@ class _Reader:
     def _known(self, key: str, name: Any, names: list[str]) -> None:
         if name not in names:
             self._refuse(f'{key}: no condition {name!r}' + nearest(str(name), names))
+
+
+def _runs_per_operator(scenario: Scenario) -> list[int]:
+    """Return in how many consecutive runs each model pilot of a scenario is the same person."""
+    return [draw.runs_per_operator for block in scenario.diagram.blocks
+            for draw in block.draws.values() if hasattr(draw, 'runs_per_operator')]
 
 
 def _dunder(flat: dict[str, Any]) -> dict[str, Any]:

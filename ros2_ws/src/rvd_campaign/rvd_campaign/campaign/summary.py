@@ -14,11 +14,14 @@ from rvd_campaign.campaign.engine import condition_tables, full_disk, identity, 
 from rvd_campaign.campaign.results import Table
 from rvd_campaign.campaign.spec import Campaign, Condition
 from rvd_campaign.flight.verdict import unknown_as_none
+from rvd_dynamics.diagram.build import loaded
+from rvd_dynamics.diagram.in_process import judge_of
 from rvd_dynamics.diagram.judge import bare_name, declared
-from rvd_dynamics.judge import Judge
 
 SUMMARY = 'summary.json'
 HEAD_WIDTH = 8                          # of a measure's name above its column
+
+
 def finish(campaign: Campaign, folder: Path) -> dict[str, Any]:
     """
     Make `results.parquet` and return the summary of a campaign whose runs are all there.
@@ -29,7 +32,7 @@ def finish(campaign: Campaign, folder: Path) -> dict[str, Any]:
         If a run is missing or the disk is full.
     """
     conditions, success, by_replicate = [], {}, {}
-    judge = Judge(campaign.conditions[0].scenario.mission)      # limits may differ, names do not
+    judge = judge_of(campaign.conditions[0].scenario)           # limits may differ, names do not
     measures = declared(judge.measures)
     seconds = _seconds(folder, len(campaign.conditions))
     try:
@@ -46,7 +49,7 @@ def finish(campaign: Campaign, folder: Path) -> dict[str, Any]:
         'result_hash': file.hash, 'identity': identity(campaign), 'measures': measures,
         'reasons': judge.reasons, 'conditions': conditions,
         'differences': [of_pair(a, b, success[a], success[b]) for a, b in campaign.compare],
-        'fitted': campaign.fitted, 'notes': [*campaign.notes, *pilot_notes(campaign)]}
+        'fitted': campaign.fitted, 'notes': [*campaign.notes, *notes_of_the_mission(campaign)]}
     if campaign.replicates:
         size = campaign.replicates[0] * campaign.replicates[1]
         by_replicate = {name: s.reshape(-1, size).mean(axis=1) for name, s in success.items()}
@@ -118,14 +121,10 @@ def of_replicates(campaign: Campaign, rates: dict[str, np.ndarray]) -> dict[str,
             for a, b in campaign.compare]}
 
 
-def pilot_notes(campaign: Campaign) -> list[str]:
-    """Say what no reader of a table may overlook."""
-    flown = [c.scenario for c in campaign.conditions if c.scenario.mission.operator == 'model']
-    if not flown:
-        return []
-    return ['The pilot is a model with 28 numbers. What was fitted of them was fitted to '
-            'three statistics of the paper\u2019s condition 1 (manual) and to nothing else; '
-            'agreement elsewhere supports the paper, it does not prove it.']
+def notes_of_the_mission(campaign: Campaign) -> list[str]:
+    """Return what no reader of a table of this mission may overlook."""
+    name = campaign.mission.campaign_notes
+    return list(loaded(name)([c.scenario for c in campaign.conditions])) if name else []
 
 
 def _seconds(folder: Path, conditions: int) -> list[float]:

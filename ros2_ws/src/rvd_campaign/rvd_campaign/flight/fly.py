@@ -8,6 +8,7 @@ import re
 import shutil
 import signal
 import sys
+import threading
 import time
 from pathlib import Path
 from typing import Any, Callable
@@ -18,7 +19,7 @@ from rvd_dynamics.recording import reader
 from rvd_campaign.flight.domain import reserved_domain
 from rvd_campaign.exits import (
     CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_FAILED, EXIT_INTERRUPTED)
-from rvd_dynamics.diagram.roster import listed, RECORDER
+from rvd_dynamics.diagram.roster import listed
 from rvd_dynamics.diagram.scenario import load, Scenario
 from rvd_campaign.flight.supervisor import Supervisor
 
@@ -40,6 +41,7 @@ def main(args: argparse.Namespace) -> int:
     elif args.condition or args.run_number is not None or args.in_process:
         raise CannotRun('--condition, --run and --in-process go with --from DIR')
     scenario = again.chosen(args) if again else chosen(args)
+    scenario.diagram                            # refused, if it must be, before there is a folder
     if operator_of(scenario) == 'console':
         from rvd_campaign.flight import console
         return console.main(args, scenario)
@@ -146,7 +148,9 @@ class Flight:
         self._stop_asked = stop_asked
         self._supervisor = Supervisor(
             catalogue.root() / 'scripts' / 'bringup.sh', run_dir / 'scenario.yaml', run_dir,
-            headless, domain, self._roster.process_of[RECORDER])
+            headless, domain, self._roster)
+        if scenario.run.processes == 'one':     # a core is idle while the one process starts
+            threading.Thread(target=_load_the_report, daemon=True).start()
         from rvd_campaign.flight.watch import FlightWatch      # imports ROS while the nodes do, too
         self._watch = FlightWatch(self._roster, domain)
         self._shown_at = 0.0
@@ -237,7 +241,7 @@ class Flight:
         The middleware has been seen, once, to hang for ever while a process left it
         (`destroy_node`): that must not take the flight with it.
         """
-        importlib.import_module('rvd_campaign.report.run')  # takes a second: while the nodes end
+        _load_the_report()
         deadline = time.monotonic() + END_S
         while not self._supervisor.ended and time.monotonic() < deadline:
             self._watch.spin(SHOW_S)
@@ -293,3 +297,9 @@ class Flight:
         if self._on_line:
             print()
             self._on_line = False
+
+
+def _load_the_report() -> None:
+    """Import what the report needs: it takes a second, in which nodes start or end."""
+    for module in ('rvd_campaign.report.run', 'matplotlib.figure'):
+        importlib.import_module(module)

@@ -10,7 +10,7 @@ import threading
 import time
 from pathlib import Path
 
-from rvd_dynamics.diagram.roster import RECORDER
+from rvd_dynamics.diagram.roster import lines, RECORDER, Roster
 
 STOP_S = 8.0                    # [s] wall time a node gets to end in order
 BAG_S = 5.0                     # [s] more for the recorder to close its bag
@@ -25,16 +25,18 @@ class Supervisor:
     """
 
     def __init__(self, bringup: Path, scenario: Path, run_dir: Path, headless: bool,
-                 domain: int, recorder: str = RECORDER) -> None:
-        """Start the bring-up; `recorder` names the process that holds the recorder."""
+                 domain: int, roster: Roster) -> None:
+        """Start the bring-up of the processes that a roster has."""
         self.run_dir = run_dir
-        self._recorder = recorder
+        self._recorder = roster.process_of[RECORDER]
         self.pids: dict[str, int] = {}
         self.codes: dict[str, int] = {}
         command = [str(bringup), str(scenario), str(run_dir)] + ['--headless'] * headless
         self._process = subprocess.Popen(
             command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-            text=True, start_new_session=True, env={**os.environ, 'ROS_DOMAIN_ID': str(domain)})
+            text=True, start_new_session=True, env={
+                **os.environ, 'ROS_DOMAIN_ID': str(domain),
+                'RVD_PROCESSES': '\n'.join(lines(roster, str(run_dir.resolve())))})
         self._lines: queue.Queue[str] = queue.Queue()
         self._reader = threading.Thread(target=self._read, daemon=True)
         self._reader.start()

@@ -1,72 +1,30 @@
 """
-The look of a report and the captions of its figures.
+How pages are written: templates, and their look (`templates/`).
 """
 
-CAPTIONS = {
-    'approach': (
-        'Approach',
-        'The track in the two planes of the target orbital frame; the lateral scale is '
-        'stretched. Beyond the control boundary, drift can reach the wall before a command sent '
-        'now acts. Each plane shows the cone cut along its axis: the wall is met where the '
-        'distance from the axis, not y or z alone, reaches it. Right: the last two metres seen '
-        'along the direction of flight, with the limit at the docking plane.'),
-    'margin': (
-        'Corridor margin',
-        'Signed distance of the true position to the corridor wall. Shaded: times at which the '
-        'chaser was beyond the control boundary.'),
-    'levels': (
-        'Who commanded what',
-        'Thrust levels of pilot and automatic controller and the command made of them, at the '
-        'time they were made on the ground; they act on board one forward delay later.'),
-    'prediction': (
-        'Prediction error',
-        'What the ground predicted for an instant, minus what was true then (line), with two '
-        'standard deviations that the prediction itself claimed (band). Dots: minus what the '
-        'sensor said and the link brought later, with the sensor\u2019s noise in it; some may lie '
-        'outside the frame. A command that the link lost shows as an error that lasts until '
-        'telemetry tells.'),
-    'links': (
-        'Link delays',
-        'Transit time of each frame that was released, over the time it was sent, and their '
-        'distribution. Dashed: the constant delay that the play-out buffer makes of it; a frame '
-        'that takes longer, or is lost, is never released. Of a long run only every n-th dot is '
-        'drawn.'),
-}
+from functools import lru_cache
+from pathlib import Path
+from typing import Any, NamedTuple
 
-STYLE = '''
-:root{color-scheme:light dark;--font:system-ui,-apple-system,"Segoe UI",Roboto,"Helvetica Neue",
-Arial,sans-serif;--paper:#fff;--panel:#f6f7f9;--ink:#16191d;--muted:#6b7280;--faint:#d5d9df;
---blue:#0072b2;--vermillion:#d55e00;--green:#009e73;--orange:#e69f00}
-@media (prefers-color-scheme:dark){:root{--paper:#14171b;--panel:#1d2127;--ink:#e7eaee;
---muted:#98a1ad;--faint:#343a43;--blue:#56b4e9;--vermillion:#f28a45;--green:#2fc49a;
---orange:#f0b740}}
-*{box-sizing:border-box}
-body{margin:0;background:var(--paper);color:var(--ink);font:15px/1.5 var(--font)}
-header{padding:1.4rem max(1rem,calc(50vw - 30rem)) 1.1rem;border-bottom:3px solid var(--muted);
-background:var(--panel)}
-header.good{border-color:var(--green)}header.bad{border-color:var(--vermillion)}
-header.good .mark{color:var(--green)}header.bad .mark{color:var(--vermillion)}
-h1{margin:0;font-size:1.55rem;line-height:1.25}header p{margin:.4rem 0 0;color:var(--muted)}
-header b{color:var(--ink);font-weight:600}
-main{max-width:62rem;margin:0 auto;padding:0 1rem 3rem}
-h2{font-size:1.12rem;margin:2rem 0 .5rem}figure{margin:0}
-svg{display:block;width:100%;height:auto}
-svg text{font-family:var(--font)!important}
-figcaption{color:var(--muted);font-size:.87rem;max-width:54rem;margin-top:.2rem}
-table{border-collapse:collapse;font-variant-numeric:tabular-nums;font-size:.92rem}
-th{text-align:left;color:var(--muted);font-weight:600}
-th,td{padding:.22rem 1.1rem .22rem 0;border-bottom:1px solid var(--faint)}
-table.wide{width:100%}
-table.numbers td+td,table.numbers th+th{text-align:right;padding-left:1.4rem}
-.meter{display:block;width:9rem;height:.55rem;border-radius:.3rem;background:var(--faint)}
-.meter span{display:block;height:100%;border-radius:.3rem;background:var(--green)}
-.meter .bad{background:var(--vermillion)}
-.warning{border-left:4px solid var(--vermillion);background:var(--panel);padding:.7rem 1rem;
-margin:1.2rem 0 0}
-details summary{cursor:pointer}details h2{display:inline}
-pre{background:var(--panel);padding:1rem;overflow:auto;font-size:.82rem;line-height:1.4}
-@media print{:root{--paper:#fff;--panel:#fff;--ink:#000;--muted:#444;--faint:#ccc;--blue:#0072b2;
---vermillion:#d55e00;--green:#009e73;--orange:#e69f00}body{font-size:10pt}
-figure,table,section{break-inside:avoid}h2{break-after:avoid}
-header{padding-left:0;padding-right:0}main{padding:0;max-width:none}}
-'''
+TEMPLATES = Path(__file__).with_name('templates')
+
+
+class Drawn(NamedTuple):
+    """A figure of a page."""
+
+    title: str
+    svg: str                    # trusted: it goes into the page as it is
+    caption: str
+    tall: bool = False          # may be broken between two printed pages
+
+
+def render(template: str, **content: Any) -> str:
+    """Return a page of `templates/`; all text in `content` is escaped."""
+    return _environment().get_template(template).render(content)
+
+
+@lru_cache(maxsize=1)
+def _environment() -> Any:
+    from jinja2 import Environment, FileSystemLoader, StrictUndefined
+    return Environment(loader=FileSystemLoader(TEMPLATES), autoescape=True, trim_blocks=True,
+                       lstrip_blocks=True, keep_trailing_newline=True, undefined=StrictUndefined)

@@ -9,16 +9,17 @@ that was flown and not rated, or broken off, is counted as such and left out of 
 import csv
 import json
 from dataclasses import dataclass
-from html import escape
 from pathlib import Path
 from statistics import mean, median, stdev
 from typing import Any
 
 from rvd_campaign.campaign.stats import wilson
-from rvd_campaign.report.page import STYLE
+from rvd_campaign.report.page import render
+from rvd_dynamics.diagram.in_process import judge_of
 from rvd_dynamics.diagram.judge import declared
-from rvd_dynamics.judge import Judge
-from rvd_dynamics.mission import Mission
+from rvd_dynamics.diagram.mission import find, installed
+from rvd_dynamics.diagram.run import DEFAULT_MISSION
+from rvd_dynamics.diagram.scenario import Scenario
 from rvd_dynamics.recording import whole
 from rvd_groundstation.console.desk import RATINGS, WEIGHTS
 
@@ -61,7 +62,7 @@ def write_session_report(folder: Path) -> Path:
         writer.writerows(flights)
     table = conditions(flights, list(session['conditions']))
     report = folder / 'report.html'
-    whole.write_text(report, _page(session, table, flights, left_out))
+    whole.write_text(report, _page(session, table, flights, left_out, _known(folder)))
     return report
 
 
@@ -84,6 +85,14 @@ def read_flights(folder: Path) -> tuple[list[dict[str, Any]], int]:
             'cooper_harper': ratings['cooper_harper']['rating'], 'tlx': ratings['tlx']['mean'],
             'tlx_weighted': _weighted(ratings, file.parent.parent)})
     return rows, left_out
+
+
+def _known(folder: Path) -> dict[str, dict[str, Any]]:
+    """Return words, unit and digits of the measures of those missions flown that are installed."""
+    missions = {json.loads(file.read_text(encoding='utf-8')).get('mission', DEFAULT_MISSION)
+                for file in folder.glob('P*/*/verdict.json')}
+    return {name: said for mission in sorted(missions & set(installed())) for name, said in
+            declared(judge_of(Scenario(mission, find(mission), {})).measures).items()}
 
 
 def _measures(flights: list[dict[str, Any]]) -> list[str]:
@@ -150,19 +159,18 @@ def _number(value: float | None, digits: int) -> str:
     return '–' if value is None else f'{value:.{digits}f}'
 
 
-def _row(c: Condition, measures: dict[str, dict[str, Any]], weighted: bool) -> str:
-    cells = (escape(c.name), str(c.flights),
-             f'{c.successes / c.flights:.2f} [{c.interval[0]:.2f}, {c.interval[1]:.2f}]',
+def _row(c: Condition, measures: dict[str, dict[str, Any]], weighted: bool
+         ) -> list[str | tuple[str, str]]:
+    cells = [c.name, str(c.flights),
+             (f'{c.successes / c.flights:.2f}', f'[{c.interval[0]:.2f}, {c.interval[1]:.2f}]'),
              *(_number(c.means.get(name), m['digits']) for name, m in measures.items()),
-             f'{c.cooper_harper[0]:g} ({c.cooper_harper[1]}–{c.cooper_harper[2]})', _load(c.tlx))
-    if weighted:
-        cells += (_load(c.tlx_weighted or (None, None)),)
-    return '<tr>' + ''.join(f'<td>{cell}</td>' for cell in cells) + '</tr>'
+             f'{c.cooper_harper[0]:g} ({c.cooper_harper[1]}–{c.cooper_harper[2]})', _load(c.tlx)]
+    return [*cells, _load(c.tlx_weighted or (None, None))] if weighted else cells
 
 
-def _tabled(table: list[Condition]) -> dict[str, dict[str, Any]]:
+def _tabled(table: list[Condition], known: dict[str, dict[str, Any]]
+            ) -> dict[str, dict[str, Any]]:
     """Return words, unit and digits of each measure that the table has means of."""
-    known = declared(Judge(Mission()).measures)
     names = dict.fromkeys(name for condition in table for name in condition.means)
     return {name: known.get(name, {'words': name, 'unit': '', 'digits': 4}) for name in names}
 
@@ -172,31 +180,20 @@ def _load(spread: tuple) -> str:
 
 
 def _page(session: dict[str, Any], table: list[Condition], flights: list[dict[str, Any]],
-          left_out: int) -> str:
-    people = sorted({f['volunteer'] for f in flights})
-    compared = ''
+          left_out: int, known: dict[str, dict[str, Any]]) -> str:
+    compared = None
     if len(table) == 2:
-        both, first, second, neither = pairs(flights, table[0].name, table[1].name)
-        compared = (f'<p>Pairs of one volunteer and one seed: both succeeded {both}, only '
-                    f'{escape(table[0].name)} {first}, only {escape(table[1].name)} {second}, '
-                    f'neither {neither}.</p>')
+        first, second = table[0].name, table[1].name
+        both, only_first, only_second, neither = pairs(flights, first, second)
+        compared = {'first': first, 'second': second, 'both': both, 'only_first': only_first,
+                    'only_second': only_second, 'neither': neither}
     weighted = any(c.tlx_weighted is not None for c in table)
-    measures = _tabled(table)
-    rows = ''.join(_row(c, measures, weighted) for c in table)
-    heads = ''.join(f'<th>{escape(m["words"])}<br>{escape(m["unit"])}</th>'
-                    for m in measures.values())
-    note = f'<p>{escape(session["note"])}</p>\n' if session.get('note') else ''
-    more_head = '<th>NASA-TLX, weighted</th>' if weighted else ''
-    more_words = (' Weighted: by how often a volunteer chose each scale in the 15 pairs, asked '
-                  'once for each condition.' if weighted else '')
-    return f'''<!doctype html><html lang="en"><head><meta charset="utf-8">
-<title>{escape(session['title'])}</title><style>{STYLE}</style></head><body>
-<header><h1>{escape(session['title'])}</h1><p>{len(people)} volunteers, {len(flights)} rated
-flights, training included; {left_out} flown and not rated.</p></header><main>
-<h2>Conditions</h2><table class="numbers"><tr><th>condition</th><th>flights</th>
-<th>success, 95 %</th>{heads}<th>Cooper-Harper</th><th>NASA-TLX</th>{more_head}</tr>{rows}</table>
-<p>Measures of the flights are means over successes. Success with its Wilson interval, which takes
-flights of one volunteer as independent. Cooper-Harper: median (lowest to highest), 1 is best.
-NASA-TLX: mean of the six scales ± standard deviation, 0 to 100.{more_words}</p>
-{note}{compared}<p>Every flight: <code>flights.csv</code>.</p></main></body></html>
-'''
+    measures = _tabled(table, known)
+    return render(
+        'people.html.j2', title=session['title'], note=session.get('note', ''),
+        volunteers=len({f['volunteer'] for f in flights}), flights=len(flights),
+        left_out=left_out, weighted=weighted, pairs=compared,
+        heads=['condition', 'flights', ('success', '95 %'),
+               *((m['words'], m['unit']) for m in measures.values()), 'Cooper-Harper', 'NASA-TLX',
+               *(['NASA-TLX, weighted'] if weighted else [])],
+        rows=[_row(c, measures, weighted) for c in table])

@@ -5,23 +5,26 @@ No script, no request to anywhere; prints; light or dark as the reader's system 
 """
 
 from collections import Counter
-from html import escape
-import math
+from math import isfinite
 from pathlib import Path
-import re
-from typing import Iterable
 
-from rvd_dynamics.recording.reader import LINK_COUNTS, LinkHistory, read, Recording
-from rvd_campaign.report.figures import svg
-from rvd_campaign.report.page import CAPTIONS, STYLE
-from rvd_dynamics.diagram.judge import Judged
+from numpy.typing import NDArray
+
+from rvd_campaign.report.figures import figures_of
+from rvd_campaign.report.page import Drawn, render
 from rvd_dynamics.commands import codes
+from rvd_dynamics.diagram.judge import Judged
+from rvd_dynamics.link.channel import LINK_COUNTS
 from rvd_dynamics.recording import whole
 from rvd_dynamics.recording.bag_writer import repair
+from rvd_dynamics.recording.drawing import svg
+from rvd_dynamics.recording.reader import read
+from rvd_dynamics.recording.recording import Recording
+from rvd_dynamics.recording.series import Commands, LinkHistory, Series, Table
 
-YES, NO, DASH, DOT = '\u2713', '\u2717', '\u2013', ' \u00b7 '
+YES, NO, DASH = '\u2713', '\u2717', '\u2013'
 DECIDED = {codes.BY_NOBODY: 'nobody (no valid input)', codes.BY_PILOT: 'pilot alone',
-           codes.BY_AUTO: 'automatic alone', codes.BY_BLEND: 'pilot and automatic',
+           codes.BY_AUTO: 'automatic controller alone', codes.BY_BLEND: 'pilot and automatic',
            codes.BY_GUARD: 'onboard guard'}
 REFUSED = {codes.REASON_LENGTH: 'length', codes.REASON_CHECKSUM: 'checksum',
            codes.REASON_ORDER: 'order', codes.REASON_AGE: 'age', codes.REASON_RANGE: 'range'}
@@ -58,21 +61,23 @@ def write_report(run_dir: Path) -> Path:
 
 def page(run: Recording) -> str:
     """Return the report as HTML."""
-    words = headline(run)
-    sections = [
-        _banner(run),
-        f'<section><h2>Verdict</h2>{_verdict_table(run)}</section>',
-        *(_figure(name, run) for name in CAPTIONS if run.last_step >= 0),
-        f'<section><h2>Link counts</h2>{_link_table(run)}</section>',
-        f'<section><h2>Commands</h2>{_command_table(run)}</section>',
-        f'<section><h2>Events</h2>{_events(run)}</section>',
-        f'<section><h2>Recording</h2>{_recording_table(run)}</section>',
-        _scenario(run)]
-    return (
-        '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
-        '<meta name="viewport" content="width=device-width, initial-scale=1">'
-        f'<title>{escape(words)}</title><style>{STYLE}</style></head><body>'
-        f'{_header(run, words)}<main>{"".join(sections)}</main></body></html>\n')
+    mark, kind = '?', 'open'
+    if run.judged:
+        mark, kind = (YES, 'good') if run.verdict.success else (NO, 'bad')
+    shown = run.verdict.measures if run.verdict else ()
+    links = {name: link.history for name, link in run.links.items()}
+    return render(
+        'run.html.j2', title=headline(run), mark=mark, kind=kind, facts=_facts(run),
+        warnings=_warnings(run), verdict=run.verdict, judged=run.judged,
+        measures=[(m, _used(m)) for m in shown if m.known or m.limited],
+        figures=[Drawn(figure.title, svg(name, lambda: figure.draw(run)), figure.caption)
+                 for name, figure in figures_of(run).items()],
+        legs=list(links), links=_link_rows(list(links.values())), decided=_decided_rows(run),
+        refused=_refused(run),
+        events=[(f'{e.t:.1f}', e.node, e.code, e.text) for e in run.events],
+        topics=[(topic, n, run.missing.get(topic, ''), run.lost.get(topic, 0))
+                for topic, n in run.counts.items()],
+        scenario=run.scenario_text)
 
 
 def headline(run: Recording) -> str:
@@ -81,40 +86,42 @@ def headline(run: Recording) -> str:
         'no verdict: the recording ends before the run does')
 
 
-def _header(run: Recording, words: str) -> str:
-    mission = run.mission
-    mark, kind = '?', 'open'
-    if run.judged:
-        mark, kind = (YES, 'good') if run.verdict.success else (NO, 'bad')
-    name = re.match(r'# Scenario (\S+)', run.scenario_text)
-    facts = [
-        f'scenario <b>{escape(name[1] if name else "unknown")}</b>',
-        f'mode <b>{escape(mission.mode)}</b>', f'operator <b>{escape(mission.operator)}</b>',
-        f'seed <b>{mission.seed}</b>, run <b>{mission.run}</b>',
-        f'step <b>{mission.step_s:g} s</b>',
-        f'delay <b>{mission.forward_delay_s:g} + {mission.back_delay_s:g} s</b>']
-    return (f'<header class="{kind}"><h1><span class="mark">{mark}</span> '
-            f'{escape(words[0].upper() + words[1:])}</h1><p>{DOT.join(facts)}</p></header>')
+def _facts(run: Recording) -> list[tuple[str, str, str]]:
+    """Return what the header says below the verdict: words before, value, words after."""
+    facts, scenario = [('scenario ', run.name or 'unknown', '')], run.scenario
+    if scenario is None:
+        return facts
+    facts.append(('mission ', scenario.mission.name, ''))
+    if scenario.has_shared('operator'):
+        operation = scenario.part('operation')
+        facts += [('mode ', operation.mode, ''), ('operator ', operation.operator, '')]
+    facts += [('seed ', str(scenario.run.seed), ''), ('run ', str(scenario.run.run), ''),
+              ('step ', f'{scenario.run.step_s:g} s', '')]
+    delays = ' + '.join(f'{link.hold_s:g}' for link in run.links.values())
+    return [*facts, ('delay ', f'{delays} s', '')] if delays else facts
 
 
-def _banner(run: Recording) -> str:
-    """Say plainly what the bag does not hold; nothing if it holds everything."""
+def _warnings(run: Recording) -> list[str]:
+    """Return sentences that say what the bag does not hold; none if it holds everything."""
     said = []
-    where = (f'at step {run.last_step} ({run.last_step * run.mission.step_s:g} s)'
-             if run.last_step >= 0 else 'before the first step')
+    where = 'before the first step' if run.last_step < 0 else f'at step {run.last_step}'
+    if run.scenario is not None and run.last_step >= 0:
+        where += f' ({run.last_step * run.scenario.run.step_s:g} s)'
     if not run.closed:
-        said.append(f'The bag was cut off {where}; what came after that is not in it.')
+        said.append(f'The bag was cut off {where}; it holds nothing that came later.')
     elif not run.ended:
         said.append(f'The recording was stopped {where}, before the run ended.')
     if any(run.missing.values()):
-        said.append(f'Steps that are not in the bag: {_listed(run.missing)}.')
+        said.append(f'Steps missing from the bag: {_listed(run.missing)}.')
     if any(run.lost.values()):
         said.append(f'Received but not stored: {_listed(run.lost)}.')
     if run.trouble:
-        said.append(f'The recorder said: {escape(run.trouble)}.')
-    if not run.scenario_text:
-        said.append('The bag holds no scenario: the default settings are assumed below.')
-    return f'<p class="warning">{" ".join(said)}</p>' if said else ''
+        said.append(f'The recorder reported: {run.trouble}.')
+    if run.scenario is None:
+        said.append(f'There are no figures: {run.scenario_trouble}.')
+    elif run.scenario_trouble:
+        said.append(f'Some settings were left out: {run.scenario_trouble}.')
+    return said
 
 
 def _listed(counts: dict[str, int]) -> str:
@@ -122,56 +129,29 @@ def _listed(counts: dict[str, int]) -> str:
     given = {topic: n for topic, n in counts.items() if n}
     if len(given) > 4:
         return f'{sum(given.values())} messages of {len(given)} topics (see Recording below)'
-    return ', '.join(f'{n} of {escape(topic)}' for topic, n in given.items())
+    return ', '.join(f'{n} of {topic}' for topic, n in given.items())
 
 
-def _table(head: Iterable[str], rows: Iterable[Iterable[str]], kind: str = '') -> str:
-    cells = ''.join(f'<th>{h}</th>' for h in head)
-    body = ''.join('<tr>' + ''.join(f'<td>{c}</td>' for c in row) + '</tr>' for row in rows)
-    return f'<table class="{kind}"><thead><tr>{cells}</tr></thead><tbody>{body}</tbody></table>'
+def _used(m: Judged) -> float | None:
+    """Return which part of an upper limit is used, 0 to 1; None where there is none to show."""
+    return min(max(m.value / m.high, 0.0), 1.0) if m.known and m.high > 0.0 else None
 
 
-def _verdict_table(run: Recording) -> str:
-    if run.verdict is None:
-        return '<p>The bag holds no verdict.</p>'
-    shown = [m for m in run.verdict.measures if m.known or m.limited]
-    rows = [(escape(m.words), escape(m.said), escape(m.limits), _meter(m),
-             (YES if m.ok else NO) if m.limited and m.known else '') for m in shown]
-    end = 'end' if run.judged else 'the last judgement in the bag'
-    return (_table(('measure', 'value', 'limit', 'used', ''), rows, 'wide')
-            + f'<p>{run.verdict.duration:.2f} s from start to {end}.</p>')
-
-
-def _meter(m: Judged) -> str:
-    """Return a bar that says how much of an upper limit is used; nothing if there is none."""
-    if not (m.known and m.high > 0.0):
-        return ''
-    share = min(max(m.value / m.high, 0.0), 1.0)
-    return (f'<span class="meter"><span style="width:{100 * share:.0f}%" '
-            f'class="{"good" if m.ok else "bad"}"></span></span>')
-
-
-def _figure(name: str, run: Recording) -> str:
-    title, caption = CAPTIONS[name]
-    return (f'<figure><h2>{title}</h2>{svg(name, run)}'
-            f'<figcaption>{caption}</figcaption></figure>')
-
-
-def _link_table(run: Recording) -> str:
-    links = {'forward': run.forward, 'back': run.back}
-    rows = [[name.replace('_', ' ')] + [str(link.last.get(name, '')) for link in links.values()]
+def _link_rows(links: list[LinkHistory]) -> list[list[str]]:
+    rows = [[name.replace('_', ' '), *(str(link.last.get(name, '')) for link in links)]
             for name in LINK_COUNTS]
-    for name, text in (('delay_p50', 'measured transit, median'), ('delay_p99', '99th percentile'),
-                       ('delay_max', 'largest'), ('play_out_delay', 'constant delay made of it')):
-        rows.append([text] + [_seconds(link.last.get(name)) for link in links.values()])
-    rows.append(['balance'] + [_balance(link) for link in links.values()])
-    return _table(('frames', *links), rows, 'numbers')
+    rows += [[words, *(_seconds(link.last.get(name)) for link in links)]
+             for name, words in (('delay_p50', 'transit time, median'),
+                                 ('delay_p99', 'transit time, 99th percentile'),
+                                 ('delay_max', 'transit time, largest'),
+                                 ('play_out_delay', 'constant delay after the play-out buffer'))]
+    return [*rows, ['balance', *map(_balance, links)]]
 
 
 def _seconds(value: float | None) -> str:
     if value is None:
         return ''
-    return f'{value:.3f} s' if math.isfinite(value) else DASH
+    return f'{value:.3f} s' if isfinite(value) else DASH
 
 
 def _balance(link: LinkHistory) -> str:
@@ -184,35 +164,34 @@ def _balance(link: LinkHistory) -> str:
     return f'{left} = {right} {YES}' if left == right else f'{left} \u2260 {right} {NO}'
 
 
-def _command_table(run: Recording) -> str:
-    by = Counter(run.ground.decided_by.tolist())
-    total = max(len(run.ground.step), 1)
-    rows = [(DECIDED.get(who, str(who)), str(n), f'{100 * n / total:.0f} %')
-            for who, n in sorted(by.items())]
-    refused = Counter(r for r in run.onboard.reason.tolist() if r in REFUSED)
-    text = ', '.join(f'{n} for {REFUSED[r]}' for r, n in sorted(refused.items())) or 'none'
-    empty = int((run.onboard.reason == codes.REASON_EMPTY).sum())
-    return (_table(('decided by', 'steps', 'share'), rows, 'numbers')
-            + f'<p>Commands the onboard guard refused: {text}. '
-              f'Steps without a command on board: {empty}.</p>')
+def _decided_rows(run: Recording) -> list[tuple[str, int, str]]:
+    """Return who decided how often, of the commands of the block that obeys `/run/control`."""
+    decided = [who for series in _commands_of_control(run) for who in series.decided_by.tolist()]
+    return [(DECIDED.get(who, str(who)), n, f'{100 * n / len(decided):.0f} %')
+            for who, n in sorted(Counter(decided).items())]
 
 
-def _events(run: Recording) -> str:
-    if not run.events:
-        return '<p>None.</p>'
-    return _table(('time [s]', 'node', 'code', ''),
-                  ((f'{e.t:.1f}', escape(e.node), escape(e.code), escape(e.text))
-                   for e in run.events), 'wide')
+def _commands_of_control(run: Recording) -> list[Commands]:
+    blocks = () if run.scenario is None else run.scenario.diagram.blocks
+    written = [run.of(signal) for block in blocks if block.control
+               for signal in block.writes.values()]
+    return [series for series in written
+            if isinstance(series, Commands) and series.decided_by is not None]
 
 
-def _recording_table(run: Recording) -> str:
-    rows = [(escape(topic), str(n), str(run.missing.get(topic, '')), str(run.lost.get(topic, 0)))
-            for topic, n in run.counts.items()]
-    return _table(('topic', 'messages', 'steps missing', 'not stored'), rows, 'numbers')
+def _refused(run: Recording) -> tuple[str, int] | None:
+    """Return what the guard refused in words, and how many steps it had no command for."""
+    thrust = None if run.scenario is None else run.of(run.scenario.diagram.thrust)
+    reason = _reasons(thrust)
+    if reason is None or not len(reason):
+        return None
+    refused = Counter(r for r in reason.tolist() if r in REFUSED)
+    words = ', '.join(f'{n} for {REFUSED[r]}' for r, n in sorted(refused.items())) or 'none'
+    return words, int((reason == codes.REASON_EMPTY).sum())
 
 
-def _scenario(run: Recording) -> str:
-    if not run.scenario_text:
-        return ''
-    return ('<section><details><summary><h2>Scenario as flown</h2></summary>'
-            f'<pre>{escape(run.scenario_text)}</pre></details></section>')
+def _reasons(thrust: Series | None) -> NDArray | None:
+    """Return why the guard commanded what it did, a code per step; None if it is not recorded."""
+    if isinstance(thrust, Commands):
+        return thrust.reason
+    return thrust.parts.get('reason') if isinstance(thrust, Table) else None

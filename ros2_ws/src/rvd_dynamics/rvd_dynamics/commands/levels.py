@@ -98,7 +98,8 @@ def acceleration(levels: ArrayLike, thrust: ThrustParams) -> NDArray[np.float64]
     index = levels + HIGHEST
     if index.size and not (index.min() >= 0 and index.max() <= 2 * HIGHEST):
         raise ValueError(f'levels must be -3 to 3, got {levels[abs(levels) > 3].tolist()}')
-    return _accelerations(thrust).ravel()[3*index + AXES]
+    # transposed there and back: in a batch the components come first in memory
+    return _accelerations(thrust).ravel().take((3*index + AXES).T).T
 
 
 def nearest_level(accel: ArrayLike, thrust: ThrustParams) -> NDArray[np.int8]:

@@ -24,13 +24,17 @@ def loaded(name: str) -> Any:
     Raises
     ------
     ValueError
-        If the text has not that form or the module lacks the name.
+        If the text has not that form, the module cannot be imported or lacks the name; one line.
     """
     module, _, attribute = name.partition(':')
     if not attribute:
         raise ValueError(f'{name!r} must be of the form module:NAME')
     try:
-        return getattr(import_module(module), attribute)
+        imported = import_module(module)
+    except (ImportError, SyntaxError) as error:
+        raise ValueError(f'{name} cannot be loaded: {error}') from error
+    try:
+        return getattr(imported, attribute)
     except AttributeError:
         raise ValueError(f'module {module} has no {attribute}') from None
 
@@ -48,10 +52,14 @@ def made(name: str, available: Callable[[str], Any], owner: str) -> Any:
     Raises
     ------
     ValueError
-        If nothing of that name is available; the text names `owner`.
+        If it cannot be loaded or nothing of a name is available; the text names `owner`.
     """
+    try:
+        wanted = inspect.signature(loaded(name)).parameters.values()
+    except ValueError as error:
+        raise ValueError(f'{owner}: {error}') from error.__cause__
     arguments = {}
-    for parameter in inspect.signature(loaded(name)).parameters.values():
+    for parameter in wanted:
         try:
             arguments[parameter.name] = available(parameter.name)
         except LookupError:

@@ -8,12 +8,15 @@ streams are all read from it.
 Rules   every signal has one writer; a cycle has a delay in it; a truth signal is written by the
         world and read by the world and the watchers alone; nothing passes between the craft and
         the ground but through a leg of the link; the guard is the only writer of the thrust
-        command; what a slower block writes is read with a delay of at least one step.
+        command, which has an initial value; what a slower block writes is read with a delay of
+        at least one step.
 """
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
+
+import numpy as np
 
 from rvd_dynamics.diagram.block import (
     Block, External, GROUND, Leg, LINK, ONBOARD, Read, SEES_TRUTH, SEGMENTS, WATCH, WORLD)
@@ -179,6 +182,10 @@ class Diagram:
         if writer is None or writer.name != self.guard:
             raise DiagramError(f'{self.thrust} is written by {writer.name if writer else "nobody"}: '
                                f'the guard {self.guard} is the only writer of thrust')
+        for part in self.signals[self.thrust].parts:
+            if part.name == 'command' and not np.isfinite(part.filled(())).all():
+                raise DiagramError(f'block {self.guard} writes {self.thrust}, whose command has no '
+                                   'initial value: it acts where none has come in time')
 
     # -- processes --------------------------------------------------------------------------
 

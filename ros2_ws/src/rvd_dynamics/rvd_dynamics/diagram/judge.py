@@ -66,22 +66,19 @@ class Judge(Protocol):
     """
     Follows the truth of one run, or of a batch of runs, step by step.
 
-    `start` takes the truth of step 0, `advance` that of every step that follows: the arrays that
-    the mission's plant offers, with leading batch axes. Rows do not influence each other.
+    Its constructor names what it needs, as that of a block does (`diagram.build`), `batch` among
+    it. Rows do not influence each other; a row that has ended keeps its judgement whatever comes.
     """
 
     measures: Sequence[Measure]
     reasons: Mapping[str, str]  # code: words for people, in the order in which they are listed
 
-    @property
-    def ended(self) -> NDArray[np.bool_]:
-        """Whether each run has ended, shape of the batch."""
+    def follow(self, k: int, truth: Any) -> None:
+        """
+        Take the truth of step k, a value of the plant's signal with a part `final`.
 
-    def start(self, *truth: ArrayLike) -> None:
-        """Take the truth of step 0."""
-
-    def advance(self, step: int, *truth: ArrayLike) -> None:
-        """Take the truth of `step`; ValueError if it does not follow the last one."""
+        Steps come in order, each once; the judge sees every step, up to the final one.
+        """
 
     def verdict(self, final: bool = False) -> Verdict:
         """Return the verdict so far; with `final`, a run still under way has timed out."""

@@ -24,6 +24,12 @@ class Shared(NamedTuple):
     prefix: str = ''                    # of its keys, with the dot: 'orbit.'
 
 
+# What every run has, whatever is flown.
+RUN = Shared('run', 'rvd_dynamics.diagram.run:Run')
+RECORDER = {'bag_recorder': 'rvd_dynamics.recording.params:RecorderParams'}
+MARKERS = {'markers': 'rvd_dynamics.recording.params:MarkerParams'}
+
+
 @dataclass(frozen=True)
 class Mission:
     """
@@ -34,9 +40,10 @@ class Mission:
     name, title : str
         As a scenario names it; one sentence for people.
     shared : tuple of Shared
-        Settings under `/**`; one of them is named `run`.
+        Settings under `/**`, besides `run`, which every mission has.
     sections : mapping of str to str
-        Settings class of each node's section, as 'module:Class'.
+        Settings class of each node's section, as 'module:Class'; those of the recorder and the
+        markers need no mention.
     diagram : str
         'module:function' that returns the `Diagram` of a scenario.
     parts : mapping of str to str
@@ -51,9 +58,16 @@ class Mission:
         Modes that `/run/control` may change between.
     markers : bool
         Whether the scene is drawn for RViz and Foxglove.
-    columns, figures, display, usual_steps : str
-        'module:NAME' of the table columns beyond the measures, the figures of a recording, the
-        console's display, and the number of steps that few runs outlast; empty: none.
+    columns : str
+        'module:NAME' of the names of all columns of a campaign's table in their order, for a
+        mission that orders them; empty: the verdict, the measures, then what the block `columns`
+        makes.
+    figures, campaign_figures, display, usual_steps : str
+        'module:NAME' of the figures of a recording and those of a campaign, the console's
+        display, and the number of steps that few runs outlast; empty: none.
+    campaign_notes : str
+        'module:function' of the scenarios of a campaign, which returns sentences that its report
+        must have; empty: none.
     short_words : mapping of str to str
         Words that a campaign may use for changes: 'module:function' of a value and the folder of
         the campaign file, which returns changes by section.
@@ -70,10 +84,25 @@ class Mission:
     columns: str = ''
     figures: str = ''
     display: str = ''
+    campaign_figures: str = ''
+    campaign_notes: str = ''
     usual_steps: str = ''
     markers: bool = False
     modes: tuple[str, ...] = ()
     short_words: Mapping[str, str] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        put = object.__setattr__
+        if RUN.name not in {shared.name for shared in self.shared}:
+            put(self, 'shared', (RUN, *self.shared))
+        ours = {**RECORDER, **(MARKERS if self.markers else {})}
+        put(self, 'sections', {**self.sections, **ours})
+
+    def __reduce__(self) -> Any:
+        """Travel to another process by name: its package is installed there, too."""
+        if self.name in installed() and find(self.name) is self:
+            return find, (self.name,)
+        return super().__reduce__()
 
 
 @lru_cache(maxsize=1)

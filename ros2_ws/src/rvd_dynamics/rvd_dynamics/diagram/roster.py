@@ -112,6 +112,12 @@ class Roster:
             found.append(block.status.name)
         return (*found, '/clock') if name == self.diagram.plant else tuple(found)
 
+    @cached_property
+    def owed(self) -> dict[str, int]:
+        """The topics that get one message at each firing of their node: its period [steps]."""
+        return {topic: self.blocks[name].period for name in self.names if name in self.blocks
+                for topic in self.emits(name)}
+
     def writes(self, name: str) -> frozenset[str]:
         """Return all topics that a node writes, the common ones aside."""
         found = set(self.emits(name))
@@ -241,7 +247,7 @@ def listed(scenario: Scenario, headless: bool) -> Roster:
 
 
 def lines(roster: Roster, run_dir: str) -> list[str]:
-    """Return one line a process: name, package, executable and ROS arguments, for a shell."""
+    """Return one line per process: name, package, executable and ROS arguments, for a shell."""
     names = f'[{",".join(roster.names)}]'
     made = []
     for process in roster.processes:

@@ -96,3 +96,8 @@ class LegParams:
         """
         return Legs(whole_steps('forward_delay_s', self.forward_delay_s, run.step_s),
                     whole_steps('back_delay_s', self.back_delay_s, run.step_s), run.step_s)
+
+
+def legs(leg_params: LegParams, run: Run) -> Legs:
+    """Return the delays of the link in steps, as a part of a mission; ValueError off the grid."""
+    return leg_params.on(run)

@@ -48,6 +48,10 @@ class Scenario:
     _settings: dict[tuple[str, str], Any] = field(default_factory=dict, repr=False, compare=False)
     _parts: dict[str, Any] = field(default_factory=dict, repr=False, compare=False)
 
+    def __reduce__(self) -> tuple:
+        """Travel to another process as it was given; what is built of it is built again there."""
+        return Scenario, (self.name, self.mission, self.sections)
+
     def check(self) -> 'Scenario':
         """
         Build all settings, so that nothing is found out later; return the scenario.
@@ -265,6 +269,26 @@ def parse(text: str, name: str) -> Scenario:
         check_keys(name, mission, section, flat)
         sections[section] = flat
     return Scenario(name, mission, sections).check()
+
+
+def parse_known(text: str, name: str) -> tuple[Scenario, list[str]]:
+    """
+    Return the scenario in a text of another version, and the keys and nodes that were left out.
+
+    What this version does not know is left out; for all else errors are those of `load`.
+    """
+    tree = mapping_of(text, f'scenario {name}')
+    mission = mission_of(tree, name)
+    sections, unknown = {}, []
+    for section, body in tree.items():
+        if section != SHARED and section not in mission.sections:
+            unknown.append(str(section))
+            continue
+        flat = parameters_of(body, section, f'scenario {name}')
+        known = _known(mission, section)
+        sections[section] = {key: value for key, value in flat.items() if key in known}
+        unknown += [f'{section}: {key}' for key in flat if key not in known]
+    return Scenario(name, mission, sections).check(), unknown
 
 
 def mission_of(tree: dict[str, Any], name: str) -> Mission:

@@ -20,11 +20,15 @@ from numpy.typing import NDArray
 
 from rvd_dynamics.diagram import streams
 from rvd_dynamics.diagram.block import Leg as Declaration
+from rvd_dynamics.diagram.block import LINK, now
 from rvd_dynamics.diagram.run import Run
+from rvd_dynamics.diagram.scenario import Scenario
+from rvd_dynamics.diagram.signal import Signal
 from rvd_dynamics.link.channel import Channel
 from rvd_dynamics.link.models import LinkParams
 from rvd_dynamics.link.plan import draw_plan, intact_of_runs, LinkPlan
 from rvd_dynamics.link.play_out import Frame
+from rvd_dynamics.link.signals import status
 
 
 @dataclass(frozen=True)
@@ -45,6 +49,20 @@ class LinkChance:
         """Return which frames come through intact and in time, (N, steps)."""
         return intact_of_runs(self.params, streams.generators(seed, runs, self.purpose), len(runs),
                               steps, self.step_ns, self.hold_steps)
+
+
+def leg(scenario: Scenario, name: str, content: Signal, arrival: Signal, hold_steps: int
+        ) -> Declaration:
+    """
+    Return a leg of a scenario's link, for its diagram.
+
+    `name` is that of its node, its section and its random stream: link_back or link_forward.
+    """
+    chance = LinkChance(name, scenario.settings(name), hold_steps, scenario.run.step_ns)
+    return Declaration(
+        name, 'rvd_dynamics.link.leg:Leg', LINK, reads={'content': now(content)},
+        writes={'arrival': arrival}, settings=scenario.mission.sections[name],
+        draws={'chance': chance}, executable='link_emulator', status=status(name))
 
 
 class Leg:
@@ -107,16 +125,19 @@ def sources(plans: Sequence[LinkPlan], hold_steps: int, step_ns: int, abort_step
     """
     Return the step whose frame comes out intact in each step, (N, steps); -1: none does.
 
-    Frames are expedited from `abort_step` on.
+    Frames are expedited from `abort_step` on, and may then come out twice or after newer ones,
+    which the guard's gate refuses: only a frame that is newer than all before it counts.
     """
     steps = len(plans[0].duplicated)
     found = np.full((len(plans), steps), -1, dtype=np.int64)
     for row, plan in zip(found, plans):
-        channel = Channel(plan, hold_steps, step_ns)
+        channel, newest = Channel(plan, hold_steps, step_ns), -1
         for k in range(steps):
             payload = k.to_bytes(8, 'little')
             out = channel.advance(k, Frame(sequence=k + 1, sent_ns=k*step_ns, payload=payload,
                                            expedited=k >= abort_step))
-            if out is not None and out.payload == (out.sequence - 1).to_bytes(8, 'little'):
-                row[k] = out.sequence - 1
+            if out is None or out.sequence - 1 <= newest:
+                continue
+            if out.payload == (out.sequence - 1).to_bytes(8, 'little'):
+                row[k] = newest = out.sequence - 1
     return found

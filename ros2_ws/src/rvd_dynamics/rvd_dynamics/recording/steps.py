@@ -50,30 +50,33 @@ def step_reader(kind: str, step_ns: int) -> Callable[[bytes], int] | None:
 
 
 class StepLedger:
-    """Counts the steps that never came, for topics that get one message per step."""
+    """Counts what never came, for topics that get one message at each firing of their writer."""
 
     def __init__(self) -> None:
         self.last: dict[str, int] = {}
         self.missing: dict[str, int] = {}
+        self._period: dict[str, int] = {}
 
-    def expect(self, topic: str) -> None:
-        """Expect one message per step of `topic`, from step 0 on."""
-        self.last[topic] = -1
+    def expect(self, topic: str, period: int = 1) -> None:
+        """Expect one message of `topic` every `period` steps, from step 0 on."""
+        self.last[topic] = -period
         self.missing[topic] = 0
+        self._period[topic] = period
 
     def saw(self, topic: str, step: int) -> None:
         """Note a message; one that comes late does not close the gap it left."""
         last = self.last[topic]
         if step > last:
-            self.missing[topic] += step - last - 1
+            self.missing[topic] += (step - last) // self._period[topic] - 1
             self.last[topic] = step
 
     def reached(self, step: int) -> bool:
-        """Say whether every topic has reached `step`."""
-        return all(last >= step for last in self.last.values())
+        """Say whether every topic has reached the last firing up to `step`."""
+        return all(last + self._period[topic] > step for topic, last in self.last.items())
 
     def end(self, step: int) -> None:
         """Count as missing what has not come by the last step of the run."""
         for topic, last in self.last.items():
-            self.missing[topic] += max(step - last, 0)
-            self.last[topic] = max(step, last)
+            due = max((step - last) // self._period[topic], 0)
+            self.missing[topic] += due
+            self.last[topic] = last + due * self._period[topic]

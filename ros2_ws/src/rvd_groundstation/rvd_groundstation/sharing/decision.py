@@ -19,6 +19,13 @@ from numpy.typing import ArrayLike, NDArray
 from rvd_dynamics.commands import codes
 from rvd_groundstation.operators.operation import MODES
 
+# As one byte each: numbers of Python would make every choice below eight times as wide.
+NOBODY, PILOT, AUTO, BLEND = np.array(
+    (codes.BY_NOBODY, codes.BY_PILOT, codes.BY_AUTO, codes.BY_BLEND), dtype=np.uint8)
+NONE, MODE, PILOT_INVALID, AUTO_INVALID, BOTH_INVALID = np.array(
+    (codes.REASON_NONE, codes.REASON_MODE, codes.REASON_PILOT_INVALID, codes.REASON_AUTO_INVALID,
+     codes.REASON_BOTH_INVALID), dtype=np.uint8)
+
 
 class Sharing(Protocol):
     """What `SHARING` lists."""
@@ -70,9 +77,9 @@ def decide(mode: str, sharing: Sharing, pilot: ArrayLike, pilot_valid: ArrayLike
     pilot, pilot_valid = usable(pilot, pilot_valid)
     auto, auto_valid = usable(auto, auto_valid)
     if mode == 'manual':
-        return _alone(pilot, pilot_valid, codes.BY_PILOT, codes.REASON_PILOT_INVALID)
+        return _alone(pilot, pilot_valid, PILOT, PILOT_INVALID)
     if mode == 'auto':
-        return _alone(auto, auto_valid, codes.BY_AUTO, codes.REASON_AUTO_INVALID)
+        return _alone(auto, auto_valid, AUTO, AUTO_INVALID)
     return _shared(sharing, pilot, pilot_valid, auto, auto_valid)
 
 
@@ -83,31 +90,24 @@ def usable(levels: ArrayLike, valid: ArrayLike) -> tuple[NDArray[np.int8], NDArr
     if levels.dtype.kind == 'f':
         whole &= levels == np.rint(levels)
     good = whole[..., 0] & whole[..., 1] & whole[..., 2] & np.asarray(valid, dtype=bool)
-    return np.where(good[..., None], levels, 0).astype(np.int8), good
+    return np.where(good[..., None], levels, 0).astype(np.int8, copy=False), good
 
 
-def _alone(levels: NDArray, valid: NDArray, by: int, reason_invalid: int) -> Decision:
+def _alone(levels: NDArray, valid: NDArray, by: np.uint8, reason_invalid: np.uint8) -> Decision:
     """Pass one source on, as the mode says."""
-    return Decision(levels, valid,
-                    np.where(valid, by, codes.BY_NOBODY).astype(np.uint8),
-                    np.full(valid.shape, np.nan),
-                    np.where(valid, codes.REASON_MODE, reason_invalid).astype(np.uint8))
+    return Decision(levels, valid, np.where(valid, by, NOBODY), np.full(valid.shape, np.nan),
+                    np.where(valid, MODE, reason_invalid))
 
 
 def _shared(sharing: Sharing, pilot: NDArray, pilot_valid: NDArray, auto: NDArray,
             auto_valid: NDArray) -> Decision:
     levels = np.where(pilot_valid[..., None], sharing.share(pilot, auto), auto)
+    by_both: NDArray | np.uint8 = BLEND
     if isnan(sharing.pilot_weight):                     # a filter: did the pilot's levels pass?
         same = levels == pilot
-        by_both = np.where(same[..., 0] & same[..., 1] & same[..., 2],
-                           codes.BY_PILOT, codes.BY_AUTO)
-    else:
-        by_both = codes.BY_BLEND
-    decided_by = np.where(pilot_valid, by_both,
-                          np.where(auto_valid, codes.BY_AUTO, codes.BY_NOBODY))
+        by_both = np.where(same[..., 0] & same[..., 1] & same[..., 2], PILOT, AUTO)
+    decided_by = np.where(pilot_valid, by_both, np.where(auto_valid, AUTO, NOBODY))
     weight = np.where(pilot_valid, sharing.pilot_weight, np.where(auto_valid, 0.0, np.nan))
-    reason = np.where(pilot_valid,
-                      np.where(auto_valid, codes.REASON_NONE, codes.REASON_AUTO_INVALID),
-                      np.where(auto_valid, codes.REASON_PILOT_INVALID, codes.REASON_BOTH_INVALID))
-    return Decision(levels, pilot_valid | auto_valid, decided_by.astype(np.uint8), weight,
-                    reason.astype(np.uint8))
+    reason = np.where(pilot_valid, np.where(auto_valid, NONE, AUTO_INVALID),
+                      np.where(auto_valid, PILOT_INVALID, BOTH_INVALID))
+    return Decision(levels, pilot_valid | auto_valid, decided_by, weight, reason)

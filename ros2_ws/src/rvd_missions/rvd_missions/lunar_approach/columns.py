@@ -1,5 +1,7 @@
 """
-Columns of a campaign's table beyond the judge's measures: where it failed, and who decided.
+Columns of a campaign's table: what the judge measures, where a run failed, and who decided.
+
+Where and when a run left the corridor stands in the columns of failure, not in the measures'.
 """
 
 from typing import Any
@@ -7,12 +9,22 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-COLUMNS = {                             # name: type
+from rvd_dynamics.commands.codes import BY_AUTO, BY_BLEND, BY_NOBODY, BY_PILOT
+
+ORDER = (
+    'run', 'success', 'reason', 'duration_s',
+    'failed_at_s', 'failed_x_m', 'failed_y_m', 'failed_z_m',    # NaN where a run succeeded
+    'x_rate_m_s', 'offset_m', 'lateral_rate_m_s',
+    'y_m', 'z_m', 'y_rate_m_s', 'z_rate_m_s',                   # at the docking plane, or NaN
+    'min_corridor_margin_m', 'delta_v_m_s',
+    'steps', 'steps_nobody', 'steps_pilot', 'steps_auto', 'steps_blend', 'steps_changed')
+
+COLUMNS = {                             # those that are no measures: type
     'failed_at_s': 'f8', 'failed_x_m': 'f8', 'failed_y_m': 'f8', 'failed_z_m': 'f8',
     'y_m': 'f8', 'z_m': 'f8', 'y_rate_m_s': 'f8', 'z_rate_m_s': 'f8',
     'steps': 'i8', 'steps_nobody': 'i8', 'steps_pilot': 'i8', 'steps_auto': 'i8',
     'steps_blend': 'i8', 'steps_changed': 'i8'}
-DECIDERS = 4                            # codes.BY_NOBODY, BY_PILOT, BY_AUTO, BY_BLEND
+DECIDERS = np.array([[BY_NOBODY], [BY_PILOT], [BY_AUTO], [BY_BLEND]], dtype=np.uint8)
 
 
 class Columns:
@@ -20,15 +32,14 @@ class Columns:
 
     def __init__(self, batch: tuple) -> None:
         self._ended = np.zeros(batch, dtype=bool)
-        self._decided = np.zeros((DECIDERS, *batch), dtype=np.int64)
-        self._changed = np.zeros(batch, dtype=np.int64)
+        self._decided = np.zeros((len(DECIDERS), *batch), dtype=np.int32)
+        self._changed = np.zeros(batch, dtype=np.int32)
 
     def step(self, k: int, truth: Any, command: Any, stick: Any = None) -> dict[str, Any]:
         """Count step k."""
         self._ended |= truth.final
         live = ~self._ended
-        for by, steps in enumerate(self._decided):
-            steps += live & (command.decided_by == by)
+        self._decided += (command.decided_by == DECIDERS) & live
         differs = command.command != (0 if stick is None else stick.command)
         self._changed += live & (differs[:, 0] | differs[:, 1] | differs[:, 2])
         return {}

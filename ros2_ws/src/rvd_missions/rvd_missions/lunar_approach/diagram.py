@@ -14,20 +14,21 @@ The data flow of the approach: the only place where it is written.
 """
 
 from rvd_dynamics.diagram.block import (
-    Block, External, GROUND, held, last, Leg, LINK, now, ONBOARD, Read, WATCH, WORLD)
+    Block, External, GROUND, held, last, now, ONBOARD, Read, WATCH, WORLD)
 from rvd_dynamics.diagram.diagram import Diagram
 from rvd_dynamics.diagram.run import Legs
 from rvd_dynamics.diagram.scenario import Scenario
 from rvd_dynamics.diagram.signal import Signal
 from rvd_dynamics.diagram.streams import Normals, PilotChance, StartNormals
-from rvd_dynamics.link.leg import LinkChance
+from rvd_dynamics.link.leg import leg
+from rvd_dynamics.link.signals import status
 from rvd_missions.lunar_approach import HERE, signals
 from rvd_missions.lunar_approach.signals import (
-    ARRIVAL, COMMAND, DOWNLINK, MEASUREMENT, SCORE, STATUS, STICK, TELEMETRY, THRUST, TRUTH, UPLINK)
+    ARRIVAL, COMMAND, DOWNLINK, MEASUREMENT, SCORE, STICK, TELEMETRY, THRUST, TRUTH, UPLINK)
 
 CONSOLE = External('console', 'rvd_groundstation', 'console', GROUND, writes=(STICK.name,), reads=(
     TELEMETRY.name, signals.ESTIMATE.name, signals.PREDICTION.name, SCORE.name, signals.AUTO.name,
-    COMMAND.name, STATUS['back'].name))
+    COMMAND.name, status('link_back').name))
 JOY_NODE = External('joy_node', 'joy', 'joy_node', GROUND, writes=(STICK.name,), foreign=True)
 
 
@@ -36,7 +37,9 @@ def diagram(scenario: Scenario) -> Diagram:
     legs = scenario.part('legs')
     estimate = signals.ESTIMATE.shifted(-legs.back)
     prediction = signals.PREDICTION.shifted(legs.forward)
-    blocks = [*_space(scenario), *_link(scenario, legs),
+    blocks = [*_space(scenario),
+              leg(scenario, 'link_back', DOWNLINK, TELEMETRY, legs.back),
+              leg(scenario, 'link_forward', UPLINK, ARRIVAL, legs.forward),
               *_ground(scenario, legs, estimate, prediction), _columns(scenario)]
     operator = scenario.part('operation').operator
     externals = {'console': (CONSOLE,), 'joy': (JOY_NODE,)}.get(operator, ())
@@ -59,17 +62,6 @@ def _space(scenario: Scenario) -> list[Block]:
               reads={'arrival': now(ARRIVAL)}, writes={'thrust': THRUST},
               settings=settings['onboard_guard']),
     ]
-
-
-def _link(scenario: Scenario, legs: Legs) -> list[Block]:
-    def leg(name: str, content: Signal, arrival: Signal, hold: int) -> Leg:
-        chance = LinkChance(name, scenario.settings(name), hold, scenario.run.step_ns)
-        return Leg(name, 'rvd_dynamics.link.leg:Leg', LINK, reads={'content': now(content)},
-                   writes={'arrival': arrival}, settings=scenario.mission.sections[name],
-                   draws={'chance': chance}, executable='link_emulator',
-                   status=STATUS[name.removeprefix('link_')])
-    return [leg('link_back', DOWNLINK, TELEMETRY, legs.back),
-            leg('link_forward', UPLINK, ARRIVAL, legs.forward)]
 
 
 def _ground(scenario: Scenario, legs: Legs, estimate: Signal, prediction: Signal) -> list[Block]:

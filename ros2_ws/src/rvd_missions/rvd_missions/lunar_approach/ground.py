@@ -24,6 +24,8 @@ from rvd_groundstation.sharing.decision import Sharing
 from rvd_missions.lunar_approach.signals import (
     AUTO, COMMAND, ESTIMATE, PREDICTION, SCORE, STICK, UPLINK)
 
+THRUST, ABORT = np.uint8(KIND_THRUST), np.uint8(KIND_ABORT)
+
 
 # -- parts that blocks and laws ask for by name ------------------------------------------------
 
@@ -134,14 +136,16 @@ class CommandBlender:
     def step(self, k: int, auto: Any, control: Control, stick: Any = None) -> dict[str, Any]:
         """Return the command of step k and the uplink that carries it."""
         stick = self._nothing if stick is None else stick
-        d = decide(control.mode, self._sharing, np.broadcast_to(stick.command, self._neutral.shape),
-                   np.broadcast_to(stick.valid, self._batch), auto.command, auto.valid)
-        levels, by, reason, kind = d.levels, d.decided_by, d.reason, KIND_THRUST
+        pilot, valid = stick.command, stick.valid
+        if pilot.ndim == 1:                         # a tape, the same in all rows
+            pilot = np.broadcast_to(pilot, self._neutral.shape)
+            valid = np.broadcast_to(valid, self._batch)
+        d = decide(control.mode, self._sharing, pilot, valid, auto.command, auto.valid)
+        levels, by, reason, kind = d.levels, d.decided_by, d.reason, THRUST
         if control.abort:
-            levels, kind = self._neutral, KIND_ABORT
+            levels, kind = self._neutral, ABORT
             by = np.full(self._batch, BY_PILOT, dtype=np.uint8)
             reason = np.full(self._batch, REASON_ABORT, dtype=np.uint8)
-        return {'command': COMMAND(command=levels, kind=np.uint8(kind), decided_by=by,
+        return {'command': COMMAND(command=levels, kind=kind, decided_by=by,
                                    pilot_weight=d.pilot_weight, reason=reason),
-                'uplink': UPLINK(command=levels, kind=np.uint8(kind),
-                                 expedited=np.bool_(control.abort))}
+                'uplink': UPLINK(command=levels, kind=kind, expedited=np.bool_(control.abort))}

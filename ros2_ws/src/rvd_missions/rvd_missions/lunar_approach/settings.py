@@ -6,7 +6,7 @@ Source  Zhang, Li, Tang, J. Astronautics 35(3), 2014, section 3.1.
 
 from rvd_dynamics.commands.levels import LevelForm, ThrustParams
 from rvd_dynamics.diagram.params import param, require, settings
-from rvd_dynamics.diagram.run import LegParams, Legs, Run
+from rvd_dynamics.diagram.run import Run
 from rvd_dynamics.motion.orbit import StartParams
 from rvd_groundstation.operators.operation import checked, Operation
 
@@ -21,11 +21,6 @@ class DockingParams:
         0.3, 'Closing rate that must not be reached at the docking plane [m/s].', above=0.0)
     max_lateral_rate_m_s: float = param(
         0.3, 'Lateral rate that must not be reached at the docking plane [m/s].', above=0.0)
-
-
-def legs(leg_params: LegParams, run: Run) -> Legs:
-    """Return the delays of the link in steps; ValueError off the grid."""
-    return leg_params.on(run)
 
 
 def form(thrust: ThrustParams) -> LevelForm:

@@ -2,29 +2,23 @@
 Signals of the approach. Frame: target orbital, state (x, y, z, vx, vy, vz).
 """
 
-from rvd_dynamics.commands.codes import KIND_THRUST
 from rvd_dynamics.diagram.signal import Part, Signal
+from rvd_dynamics.link import signals as link
 
-CODECS = 'rvd_dynamics.diagram.ros.codecs'
+CODECS = link.CODECS
 STATE = 'rvd_interfaces/msg/RelativeState'
 THRUST_COMMAND = 'rvd_interfaces/msg/ThrustCommand'
-FRAME = 'rvd_interfaces/msg/LinkFrame'
 
 _state = Part('state', (6,), 'm, m/s')
 _valid = Part('valid', (), '', '?')
 _levels = Part('command', (3,), 'levels', 'i1')
-_kind = Part('kind', (), 'KIND_*', 'u1', KIND_THRUST)
 _covariance = Part('covariance', (6, 6), 'm, m/s', optional=True)
 
 TRUTH = Signal('/truth/relative_state', (
     _state, Part('acceleration', (3,), 'm/s^2'), Part('final', (), '', '?')),
     STATE, f'{CODECS}:Truth', truth=True)
 MEASUREMENT = Signal('/onboard/measurement', (_state,), STATE, f'{CODECS}:Measurement')
-DOWNLINK = Signal('/onboard/downlink', (
-    _state, Part('accepted', (), 'sequence', 'i8', optional=True),
-    Part('refusal', (), 'REASON_*', 'u1', optional=True)), FRAME, f'{CODECS}:Downlink')
-TELEMETRY = Signal('/ground/telemetry', (
-    _state, Part('received', (), '', '?')), FRAME, f'{CODECS}:Telemetry')
+DOWNLINK, TELEMETRY = link.downlink(_state), link.telemetry(_state)
 ESTIMATE = Signal('/ground/estimate', (_state, _valid, _covariance), STATE, f'{CODECS}:Estimate')
 PREDICTION = Signal('/ground/prediction', (_state, _valid, _covariance), STATE,
                     f'{CODECS}:Prediction')
@@ -37,19 +31,7 @@ STICK = Signal('/joy', (
     'sensor_msgs/msg/Joy', f'{CODECS}:Stick')
 AUTO = Signal('/ground/auto_command', (_levels, _valid), THRUST_COMMAND, f'{CODECS}:Automatic')
 COMMAND = Signal('/ground/command', (
-    _levels, _kind, Part('decided_by', (), 'BY_*', 'u1'), Part('pilot_weight', ()),
+    _levels, link.KIND, Part('decided_by', (), 'BY_*', 'u1'), Part('pilot_weight', ()),
     Part('reason', (), 'REASON_*', 'u1')), THRUST_COMMAND, f'{CODECS}:Ground')
-UPLINK = Signal('/ground/uplink', (_levels, _kind, Part('expedited', (), '', '?')), FRAME,
-                f'{CODECS}:Uplink')
-ARRIVAL = Signal('/onboard/command', (
-    _levels, _kind, Part('received', (), '', '?'),
-    Part('reason', (), 'REASON_*', 'u1', optional=True),
-    Part('sequence', (), '', 'i8', optional=True)), FRAME, f'{CODECS}:Arrival')
-THRUST = Signal('/onboard/thruster_command', (
-    _levels, Part('kind', (), 'KIND_*', 'u1', optional=True),
-    Part('valid', (), '', '?', optional=True),
-    Part('reason', (), 'REASON_*', 'u1', optional=True),
-    Part('sequence', (), '', 'i8', optional=True),
-    Part('decided_by', (), 'BY_*', 'u1', optional=True)), THRUST_COMMAND, f'{CODECS}:Thrusters')
-STATUS = {leg: Signal(f'/link/{leg}/status', (), 'rvd_interfaces/msg/LinkStatus', '')
-          for leg in ('forward', 'back')}
+UPLINK, ARRIVAL = link.uplink(_levels), link.arrival(_levels)
+THRUST = link.thrust(_levels, THRUST_COMMAND, f'{CODECS}:Thrusters')

@@ -94,20 +94,23 @@ class Parts(Codec):
         self._layout = ', '.join(
             f'{part.name}[{",".join(map(str, part.shape))}]' if part.shape else part.name
             for part in signal.parts)
+        self._starts = [part.filled(()) for part in signal.parts]
 
     def encode(self, k: int, value: Any) -> Values:
         """Return the message of a value; ValueError if a part is not of its shape."""
-        for part, given in zip(self.signal.parts, value, strict=True):
-            if np.shape(given) != part.shape:
-                raise ValueError(f'{part.name} must have shape {part.shape}, got {np.shape(given)}')
-        numbers = np.concatenate([np.ravel(part).astype(float) for part in value])
+        parts = self.wired(value)
+        for part, given in zip(self.signal.parts, parts):
+            if given.shape != part.shape:
+                raise ValueError(f'{part.name} must have shape {part.shape}, got {given.shape}')
+        numbers = np.concatenate([np.ravel(given).astype(float) for given in parts])
         return Values(header=header_at(self.stamp_ns(k), self.run.frame_id), step=k,
                       layout=self._layout, values=numbers)
 
     def wired(self, value: Any) -> Any:
-        """Return the value with every part of its own type, as `decode` does."""
-        return self.signal.type(*(np.asarray(given, part.dtype)
-                                  for part, given in zip(self.signal.parts, value)))
+        """Return what a reader gets: parts of the declared types, also those left out."""
+        return self.signal.type(*(
+            start if given is None else np.asarray(given, dtype=start.dtype)
+            for start, given in zip(self._starts, value)))
 
     def decode(self, k: int, message: Values) -> Any:
         """Return the value in a message; ValueError if it is of another layout."""
@@ -323,7 +326,7 @@ class Downlink(_Sender):
         """Return the frame of a value."""
         return self._frame(k, pack_downlink(
             sequence=k + 1, generated_ns=k * self.run.step_ns, state=value.state,
-            accepted_sequence=value.accepted, refusal=value.refusal))
+            accepted_sequence=value.accepted or 0, refusal=value.refusal or 0))
 
 
 class Telemetry(Codec):

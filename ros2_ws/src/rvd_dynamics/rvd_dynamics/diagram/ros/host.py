@@ -27,6 +27,7 @@ from rvd_dynamics.diagram.ros.node import RunNode
 from rvd_dynamics.diagram.roster import COMMON, RECORDER, Roster
 from rvd_interfaces.msg import RunEvent
 
+ASK_S = 0.1                     # [s] wall time between two looks whether to stop
 BARRIER_PERIOD_S = 0.05         # [s] wall time between two looks at the endpoints
 DIAGNOSTICS_PERIOD_S = 1.0      # [s] wall time
 MOMENT_S = 0.3                  # [s] wall time in which local readers get what was written last
@@ -196,9 +197,9 @@ class Host:
         """Whether nothing is left to do, or an error has ended it."""
         return self._ended
 
-    def spin(self) -> None:
+    def spin(self, stopped: Callable[[], bool] | None = None) -> None:
         """
-        Serve the nodes to the end of the run.
+        Serve the nodes to the end of the run, or until `stopped()`, which is asked now and then.
 
         Raises
         ------
@@ -209,8 +210,9 @@ class Host:
         for node in self.nodes.values():
             executor.add_node(node)
         try:
-            while not self._ended:
-                executor.spin_once(timeout_sec=0.0 if self._busy else None)
+            while not self._ended and not (stopped and stopped()):
+                executor.spin_once(timeout_sec=0.0 if self._busy else
+                                   ASK_S if stopped else None)
                 try:
                     self.work()
                 except Exception as error:      # noqa: B902 - of the block that fired last

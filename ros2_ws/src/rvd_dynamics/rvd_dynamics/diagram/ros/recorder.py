@@ -66,8 +66,8 @@ class BagRecorder(RunNode):
         self._unknown: set[str] = set()         # topics of types that are not installed
         self._complained = False
         self._steps = self.writer(RECORDED_STEP, UInt64)
-        for topic in self._owed():
-            self._ledger.expect(topic)
+        for topic, period in self.roster.owed.items():
+            self._ledger.expect(topic, period)
 
     def connect(self) -> None:
         """Listen to every topic of the run."""
@@ -85,10 +85,6 @@ class BagRecorder(RunNode):
             return BagWriter(Path(directory), worth)
         except OSError as error:
             raise ValueError(f'bag_dir {directory}: {error.strerror}') from None
-
-    def _owed(self) -> list[str]:
-        """Return the topics that the nodes of this run write once per step."""
-        return [topic for name in self.roster.names for topic in self.roster.emits(name)]
 
     # -- topics ---------------------------------------------------------------------------
 

@@ -49,10 +49,11 @@ class Modes:
     def advance(self, step: int, command: NDArray, kind: NDArray, received: NDArray) -> Thrust:
         """Return what the thrusters do in `step`; `kind` may be one for all rows."""
         command = np.where(received[..., np.newaxis], command, self._form.neutral)
-        new = received & (np.asarray(kind) == KIND_ABORT)
-        if new.any():
-            self._aborted = True
-            self._abort_step = np.where(new & (self._abort_step < 0), step, self._abort_step)
+        asked = kind == KIND_ABORT
+        if np.count_nonzero(asked):
+            new = received & asked & (self._abort_step < 0)
+            self._aborted = self._aborted or bool(new.any())
+            self._abort_step = np.where(new, step, self._abort_step)
         if not self._aborted:
             return Thrust(command, np.uint8(KIND_THRUST), received)
         aborted = self._abort_step >= 0

@@ -29,17 +29,17 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import linprog
 
-from rvd_campaign.loop import fly, LoopSettings
 from rvd_dynamics.diagram import streams
-from rvd_dynamics.geometry.cone import signed_distance
+from rvd_dynamics.diagram.in_process import check, fly, judge_of
 from rvd_dynamics.diagram.judge import Verdict
-from rvd_dynamics.judge import Judge
+from rvd_dynamics.diagram.scenario import load, Scenario
+from rvd_dynamics.geometry.cone import signed_distance
 from rvd_dynamics.link.plan import draw_plan
-from rvd_dynamics.mission import Mission
 from rvd_dynamics.motion import cw
-from rvd_dynamics.world.plants.relative import TRUTH_MODELS
-from rvd_dynamics.commands.levels import nearest_level
+from rvd_dynamics.world.plants.relative import TruthModel, TRUTH_MODELS
+from rvd_dynamics.world.settings import DynamicsParams
 from rvd_dynamics.world.spacecraft.thrusters import execute
+from rvd_missions.lunar_approach import MISSION
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -77,14 +77,14 @@ class _World(NamedTuple):
     gets_up: Mask               # (N, steps) the command due in this step arrives
 
 
-def ceiling(settings: LoopSettings, runs: Sequence[int], first_step: int | None = None
+def ceiling(scenario: Scenario, runs: Sequence[int], first_step: int | None = None
             ) -> Ceiling:
     """
     Decide for each run whether any command history could have docked it.
 
     Parameters
     ----------
-    settings : LoopSettings
+    scenario : Scenario
         World and links count; pilot, law and sharing do not.
     runs : sequence of int
         Numbers of the runs.
@@ -97,44 +97,53 @@ def ceiling(settings: LoopSettings, runs: Sequence[int], first_step: int | None 
     -------
     Ceiling
     """
-    mission = settings.mission
     if first_step is None:
-        first_step = mission.forward_steps + mission.back_steps
+        first_step = scenario.part('legs').loop
     if first_step < 0:
         raise ValueError(f'first_step must not be negative, got {first_step}')
     if len(runs) == 0:
         raise ValueError('runs must be one or more, got none')
-    parts = [_decide(settings, runs[i:i + BATCH], first_step)
+    parts = [_decide(scenario, runs[i:i + BATCH], first_step)
              for i in range(0, len(runs), BATCH)]
     return Ceiling(*(np.concatenate(part) for part in zip(*parts)))
 
 
-def _decide(settings: LoopSettings, runs: Sequence[int], first_step: int) -> Ceiling:
-    world = _draw(settings, runs)
-    outside = signed_distance(world.start[:, :3], settings.mission.corridor) <= 0.0
+def _decide(scenario: Scenario, runs: Sequence[int], first_step: int) -> Ceiling:
+    world = _draw(scenario, runs)
+    outside = signed_distance(world.start[:, :3], scenario.part('cone')) <= 0.0
     docked, left = np.zeros((2, len(runs)), dtype=bool)
     for way in WAYS_HOME:
         rows = np.flatnonzero(~(docked | outside | left))
         if rows.size == 0:
             break
-        verdict = _fly_home(settings, _of(world, rows), first_step, way)
+        verdict = _fly_home(scenario, _of(world, rows), first_step, way)
         docked[rows] = verdict.success
-        left[rows] |= verdict.values['exit_time_s'] <= first_step * settings.mission.step_s
+        left[rows] |= verdict.values['exit_time_s'] <= first_step * scenario.run.step_s
     refuted = np.zeros_like(docked)
     for row in np.flatnonzero(~(docked | outside | left)):
-        refuted[row] = best_margin(settings, _of(world, [row]), first_step) < -SLACK_M
+        refuted[row] = best_margin(scenario, _of(world, [row]), first_step) < -SLACK_M
     return Ceiling(outside, left, refuted, docked, ~(outside | left | refuted | docked))
 
 
-def _draw(settings: LoopSettings, runs: Sequence[int]) -> _World:
-    mission = settings.mission
-    seed, steps, up = mission.seed, mission.last_step + 1, mission.forward_steps
+def _draw(scenario: Scenario, runs: Sequence[int]) -> _World:
+    run, up = scenario.run, scenario.part('legs').forward
+    seed, steps = run.seed, run.last_step + 1
     gets_up = np.ones((len(runs), steps), dtype=bool)       # before `up`: sent before the start
     for row, rng in zip(gets_up, streams.generators(seed, runs, 'link_forward')):
-        plan = draw_plan(settings.link_forward, rng, steps, mission.step_ns, up)
+        plan = draw_plan(scenario.settings('link_forward'), rng, steps, run.step_ns, up)
         row[up:] = plan.intact_in_time[:steps - up]
-    return _World(settings.dynamics.start(mission, streams.start_normals_of_runs(seed, runs)),
+    return _World(_dynamics(scenario).start(scenario.part('start'),
+                                            streams.start_normals_of_runs(seed, runs)),
                   streams.normals_of_runs(seed, runs, 'execution', steps, 3), gets_up)
+
+
+def _dynamics(scenario: Scenario) -> DynamicsParams:
+    return scenario.settings('spacecraft_dynamics')
+
+
+def _model(scenario: Scenario) -> TruthModel:
+    return TRUTH_MODELS[_dynamics(scenario).truth_model](scenario.part('orbit'),
+                                                         scenario.run.step_s)
 
 
 def _of(world: _World, rows: Sequence[int]) -> _World:
@@ -143,17 +152,17 @@ def _of(world: _World, rows: Sequence[int]) -> _World:
 
 # -- flown: a history that docks --------------------------------------------------------------
 
-def _fly_home(settings: LoopSettings, world: _World, first_step: int,
+def _fly_home(scenario: Scenario, world: _World, first_step: int,
               way: tuple[float, float, float]) -> Verdict:
     """Fly with the true state in hand, one of `WAYS_HOME`, and judge."""
-    mission, noise = settings.mission, settings.dynamics.execution_noise_fraction
-    model = TRUTH_MODELS[settings.dynamics.truth_model](mission)
-    judge, state = Judge(mission, (len(world.start),)), world.start
+    model, noise = _model(scenario), _dynamics(scenario).execution_noise_fraction
+    form, judge = scenario.part('form'), judge_of(scenario, (len(world.start),))
+    state = world.start
     judge.start(state)
-    for step in range(mission.last_step):
-        levels = _towards_axis(state, mission, way)
+    for step in range(scenario.run.last_step):
+        levels = form.quantise(_towards_axis(state, scenario.part('orbit').mean_motion, way))
         levels[~world.gets_up[:, step] | (step < first_step)] = 0
-        accel = execute(levels, mission.thrust, world.execution[:, step], noise)
+        accel = execute(form.effect(levels), world.execution[:, step], noise)
         state = model.advance(state, accel)
         judge.advance(step + 1, state, accel)
         if judge.ended.all():
@@ -161,19 +170,18 @@ def _fly_home(settings: LoopSettings, world: _World, first_step: int,
     return judge.verdict()
 
 
-def _towards_axis(state: Array, mission: Mission, way: tuple[float, float, float]
-                  ) -> NDArray[np.int8]:
-    """Return levels (N, 3): return to the axis in a time, at a closing rate."""
+def _towards_axis(state: Array, mean_motion: float, way: tuple[float, float, float]) -> Array:
+    """Return accelerations (N, 3) [m/s^2] that return to the axis in a time, at a closing rate."""
     home_s, settle_s, closing = way
     wanted = np.column_stack([np.full(len(state), closing), -state[:, 1:3]/home_s])
     coupling = np.zeros_like(wanted)
-    coupling[:, 1] = 2.0*mission.orbit.mean_motion*state[:, 3]
-    return nearest_level((wanted - state[:, 3:])/settle_s - coupling, mission.thrust)
+    coupling[:, 1] = 2.0*mean_motion*state[:, 3]
+    return (wanted - state[:, 3:])/settle_s - coupling
 
 
 # -- refuted: no history stays inside ---------------------------------------------------------
 
-def best_margin(settings: LoopSettings, world: _World, first_step: int) -> float:
+def best_margin(scenario: Scenario, world: _World, first_step: int) -> float:
     """
     Return the largest least radial margin [m] that any thrust history can keep for a while.
 
@@ -181,17 +189,17 @@ def best_margin(settings: LoopSettings, world: _World, first_step: int) -> float
     Asked for at sampled instants, in sampled directions, with thrust of any value up to the
     largest: each can only make the answer larger than the truth.
     """
-    mission = settings.mission
-    steps = _before_docking(settings, world, first_step)
+    corridor = scenario.part('cone')
+    steps = _before_docking(scenario, world, first_step)
     if steps == 0:
         return np.inf
-    free, gain = _motion(_coast(settings, world, first_step), mission, steps)
-    limit = _thrust_limits(settings, world, first_step, steps)
+    free, gain = _motion(_coast(scenario, world, first_step), scenario, steps)
+    limit = _thrust_limits(scenario, world, first_step, steps)
     angle = np.arctan2(free[-1, 2], free[-1, 1]) + np.linspace(-np.pi/2, np.pi/2, FACETS)
-    facets = np.column_stack([np.full(FACETS, mission.corridor.tan_alpha),
+    facets = np.column_stack([np.full(FACETS, corridor.tan_alpha),
                               np.cos(angle), np.sin(angle)])        # cos y + sin z <= R(x)
     rows = np.einsum('fi,jiu->jfu', facets, gain).reshape(-1, gain.shape[-1])
-    room = mission.corridor.docking_radius_m - np.einsum('fi,ji->jf', facets, free).ravel()
+    room = corridor.docking_radius_m - np.einsum('fi,ji->jf', facets, free).ravel()
     found = linprog(
         np.append(np.zeros(rows.shape[1]), -1.0),                   # maximise the margin
         A_ub=np.column_stack([rows, np.ones(len(rows))]), b_ub=room,
@@ -199,37 +207,36 @@ def best_margin(settings: LoopSettings, world: _World, first_step: int) -> float
     return float(found.x[-1]) if found.status == 0 else np.inf
 
 
-def _coast(settings: LoopSettings, world: _World, steps: int) -> Array:
+def _coast(scenario: Scenario, world: _World, steps: int) -> Array:
     """Return the state (6,) of one run after `steps` without thrust."""
-    model = TRUTH_MODELS[settings.dynamics.truth_model](settings.mission)
-    state = world.start[0]
+    model, state = _model(scenario), world.start[0]
     for _ in range(steps):
         state = model.advance(state, np.zeros(3))
     return state
 
 
-def _before_docking(settings: LoopSettings, world: _World, first_step: int) -> int:
+def _before_docking(scenario: Scenario, world: _World, first_step: int) -> int:
     """Return the steps of the programme: none in which full thrust could reach the plane."""
-    mission = settings.mission
-    state, fastest = _coast(settings, world, first_step), 1.1*mission.thrust.x_m_s2[-1]
-    time = np.arange(1, HORIZON_STEPS + 1) * mission.step_s
+    state = _coast(scenario, world, first_step)
+    fastest = 1.1*scenario.part('thrust').x_m_s2[-1]
+    time = np.arange(1, HORIZON_STEPS + 1) * scenario.run.step_s
     reach = state[0] + state[3]*time + fastest*time*time/2.0
     return int(np.sum(np.maximum.accumulate(reach) < 0.0))
 
 
-def _thrust_limits(settings: LoopSettings, world: _World, first_step: int, steps: int
+def _thrust_limits(scenario: Scenario, world: _World, first_step: int, steps: int
                    ) -> Array:
     """Return the largest thrust (3 steps,) [m/s^2] that can be executed; 0 where lost."""
-    thrust, noise = settings.mission.thrust, settings.dynamics.execution_noise_fraction
+    thrust, noise = scenario.part('thrust'), _dynamics(scenario).execution_noise_fraction
     window = slice(first_step, first_step + steps)
     largest = np.array([thrust.x_m_s2[-1], thrust.lateral_m_s2[-1], thrust.lateral_m_s2[-1]])
     limit = np.abs(largest * (1.0 + noise*world.execution[0, window]))
     return (limit * world.gets_up[0, window, None]).ravel()
 
 
-def _motion(state: Array, mission: Mission, steps: int) -> tuple[Array, Array]:
+def _motion(state: Array, scenario: Scenario, steps: int) -> tuple[Array, Array]:
     """Return positions (j, 3) at the sampled instants without thrust, and d/d thrust of them."""
-    n, dt = mission.orbit.mean_motion, mission.step_s
+    n, dt = scenario.part('orbit').mean_motion, scenario.run.step_s
     phi, gamma = cw.transition(n, dt), cw.input_matrix(n, dt)
     free, gain = [], []
     by_thrust = np.zeros((6, steps, 3))             # of the state at the beginning of the step
@@ -250,22 +257,26 @@ def _motion(state: Array, mission: Mission, steps: int) -> tuple[Array, Array]:
 
 def main(args: Sequence[str] | None = None) -> None:
     """Print the ceiling of a scenario and what its law reached in the same runs."""
-    from rvd_campaign.scenario import load      # it imports much that the ceiling does not need
-    parser = argparse.ArgumentParser('python -m rvd_campaign.campaign.ceiling', description=main.__doc__)
+    parser = argparse.ArgumentParser('python -m rvd_missions.lunar_approach.ceiling',
+                                     description=main.__doc__)
     parser.add_argument('scenario', type=Path, help='scenario file')
     parser.add_argument('--runs', type=int, default=20000, metavar='N')
     parser.add_argument('--warm', action='store_true',
                         help='the link was running before t = 0; what is flown starts cold')
     options = parser.parse_args(args)
     try:
-        settings, runs = load(options.scenario).loop(), range(options.runs)
-        found = ceiling(settings, runs, 0 if options.warm else None)
+        scenario, runs = load(options.scenario), range(options.runs)
+        if scenario.mission is not MISSION:
+            raise ValueError(f'{options.scenario} must be of mission {MISSION.name}, got '
+                             f'{scenario.mission.name}')
+        check(scenario)
+        found = ceiling(scenario, runs, 0 if options.warm else None)
     except ValueError as error:
         parser.error(str(error))
     for name, mask in found._asdict().items():
         print(f'{name:8s} {mask.sum():7d}  {mask.mean():.4f}')
     print('ceiling  {:.4f} to {:.4f}'.format(*found.bounds))
-    reached = np.concatenate([fly(settings, runs[i:i + BATCH]).verdict.success
+    reached = np.concatenate([fly(scenario, runs[i:i + BATCH]).verdict.success
                               for i in range(0, options.runs, BATCH)])
     print(f'flown    {reached.mean():.4f}, of the runs that could be saved '
           f'{reached[found.docked].mean():.4f}')

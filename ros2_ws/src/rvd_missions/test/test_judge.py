@@ -8,15 +8,19 @@ import pytest
 from scipy.interpolate import CubicHermiteSpline
 from scipy.optimize import brentq, minimize_scalar
 
+from rvd_dynamics.commands.levels import acceleration, ThrustParams
+from rvd_dynamics.diagram.run import Run
 from rvd_dynamics.geometry import cone
-from rvd_dynamics.judge import ended, Judge, REASONS
-from rvd_dynamics.mission import CorridorParams, DockingParams, Mission
+from rvd_dynamics.geometry.cone import Cone
+from rvd_dynamics.motion.orbit import OrbitParams
 from rvd_dynamics.world.plants.relative import Cw
-from rvd_dynamics.commands.levels import acceleration
+from rvd_missions.lunar_approach.end import ended
+from rvd_missions.lunar_approach.judge import Judge, REASONS
+from rvd_missions.lunar_approach.settings import DockingParams
 
 H = 0.5                                             # [s] step
-MISSION = Mission(step_s=H)
-CONE = MISSION.corridor
+CONE, DOCKING = Cone(), DockingParams()
+RUN = Run(step_s=H)
 REST = np.zeros(3)
 
 
@@ -43,14 +47,14 @@ def fields(verdict):
             **verdict.values}
 
 
-def judged(start, *accels, mission=MISSION, until_end=True):
+def judged(start, *accels, run=RUN, docking=DOCKING, until_end=True):
     """Judge a flight from `start` with one acceleration per step, then coasting."""
-    judge, state, step = Judge(mission), np.asarray(start, dtype=float), 0
+    judge, state, step = Judge(run, CONE, docking), np.asarray(start, dtype=float), 0
     judge.start(state)
     while not judge.ended and (until_end or step < len(accels)):
         accel = np.asarray(accels[step] if step < len(accels) else REST, dtype=float)
         step += 1
-        state = straight(state, accel, mission.step_s)
+        state = straight(state, accel, run.step_s)
         judge.advance(step, state, accel)
     return seen(judge.verdict())
 
@@ -117,10 +121,10 @@ def test_coming_to_rest_on_the_plane_is_no_docking():
 
 
 def test_the_lateral_rate_must_stay_below_its_limit():
-    mission = Mission(step_s=H, docking=DockingParams(max_lateral_rate_m_s=0.05))
-    v = judged([-0.5, 0.0, 0.0, 0.25, 0.03, 0.05], mission=mission)
+    docking = DockingParams(max_lateral_rate_m_s=0.05)
+    v = judged([-0.5, 0.0, 0.0, 0.25, 0.03, 0.05], docking=docking)
     assert v.reason == 'lateral_rate' and v.lateral_rate == pytest.approx(np.hypot(.03, .05))
-    assert judged([-0.5, 0.0, 0.0, 0.25, 0.03, 0.03], mission=mission).reason == 'docked'
+    assert judged([-0.5, 0.0, 0.0, 0.25, 0.03, 0.03], docking=docking).reason == 'docked'
 
 
 def test_the_reasons_are_those_of_the_message():
@@ -153,7 +157,7 @@ def dense(start, accel):
 
 @pytest.mark.parametrize('step_s', [0.05, 0.5, 1.0])
 def test_leaving_and_coming_back_between_two_samples_is_leaving(step_s):
-    mission = Mission(step_s=step_s)
+    run = Run(step_s=step_s)
     wall, accel = 0.3 + 10.0*CONE.tan_alpha, np.array([0.0, -0.02, 0.0])
     rate = -accel[1]*step_s/2                       # outward, back at the end of the step
     inside = 0.4 * rate**2/(2*0.02)                 # start less than the height from the wall
@@ -163,7 +167,7 @@ def test_leaving_and_coming_back_between_two_samples_is_leaving(step_s):
     lowest = minimize_scalar(margin, bounds=(0.0, step_s), method='bounded',
                              options={'xatol': 1e-12})
     assert lowest.fun < 0
-    v = judged(start, accel, mission=mission, until_end=False)
+    v = judged(start, accel, run=run, until_end=False)
     assert v.min_corridor_margin == pytest.approx(lowest.fun, abs=1e-8)
     t = brentq(margin, 0.0, lowest.x, xtol=1e-14)
     assert v.exit_time == pytest.approx(t, abs=1e-6)
@@ -190,7 +194,7 @@ def test_what_lies_behind_the_docking_plane_does_not_count():
 
 def test_the_last_way_to_the_plane_counts_for_the_margin():
     # in, then out again in the last tenth of a second: lower at the plane than at any sample
-    judge = Judge(MISSION)
+    judge = Judge(RUN, CONE, DOCKING)
     judge.start([-0.5, 0.2, 0.0, 0.25, 0.0, 0.0])
     judge.advance(1, [-0.115, 0.15, 0.0, 0.25, 0.0, 0.0], REST)
     judge.advance(2, [0.01, 0.2, 0.0, 0.25, 0.24, 0.0], REST)
@@ -229,7 +233,7 @@ def test_a_run_that_does_not_come_is_timed_out():
 
 
 def test_the_time_limit_off_the_grid_ends_at_the_step_after_it():
-    v = judged([-1.0, 0.0, 0.0, 0.0, 0.0, 0.0], mission=Mission(step_s=0.5, timeout_s=1.2))
+    v = judged([-1.0, 0.0, 0.0, 0.0, 0.0, 0.0], run=Run(step_s=0.5, timeout_s=1.2))
     assert (v.reason, v.duration) == ('timeout', 1.5)
 
 
@@ -241,7 +245,7 @@ def test_of_leaving_and_timing_out_the_first_is_named():
 @pytest.mark.parametrize('bad', [np.nan, np.inf, -np.inf])
 @pytest.mark.parametrize('where', range(9))
 def test_p10_truth_that_is_not_finite_is_invalid_wherever_it_stands(where, bad):
-    judge = Judge(MISSION)
+    judge = Judge(RUN, CONE, DOCKING)
     judge.start([-30.0, 0.0, 0.0, 0.25, 0.0, 0.0])
     judge.advance(1, [-29.875, 0.0, 0.0, 0.25, 0.0, 0.0], REST)
     truth = np.array([-29.75, 0.0, 0.0, 0.25, 0.0, 0.0, 0.0, 0.0, 0.0])
@@ -253,14 +257,14 @@ def test_p10_truth_that_is_not_finite_is_invalid_wherever_it_stands(where, bad):
 
 
 def test_p10_truth_that_is_not_finite_cannot_dock_even_beyond_the_plane():
-    judge = Judge(MISSION)
+    judge = Judge(RUN, CONE, DOCKING)
     judge.start([-0.1, 0.0, 0.0, 0.25, 0.0, 0.0])
     judge.advance(1, [0.025, np.nan, 0.0, 0.25, 0.0, 0.0], REST)
     assert judge.verdict().reason == 'invalid'
 
 
 def test_leaving_does_not_hide_what_came_later():
-    judge = Judge(MISSION)
+    judge = Judge(RUN, CONE, DOCKING)
     judge.start([-1.0, 0.5, 0.0, 0.25, 0.0, 0.0])
     assert (judge.verdict().reason, judge.verdict().values['exit_time_s']) == ('', 0.0)
     judge.advance(1, np.full(6, np.nan), REST)
@@ -270,7 +274,7 @@ def test_leaving_does_not_hide_what_came_later():
 @pytest.mark.parametrize('start', [[0.0, 0.0, 0.0, 0.25, 0.0, 0.0], [2.0] + [0.0]*5,
                                    [np.nan] + [0.0]*5, [-1.0, 0.0, 0.0, np.inf, 0.0, 0.0]])
 def test_a_start_that_is_none_is_invalid(start):
-    judge = Judge(MISSION)
+    judge = Judge(RUN, CONE, DOCKING)
     judge.start(start)
     v = seen(judge.verdict())
     assert judge.ended and (v.reason, v.duration) == ('invalid', 0.0)
@@ -283,7 +287,7 @@ def test_a_run_under_way_has_no_reason_and_no_success():
 
 
 def test_a_run_that_is_stopped_under_way_counts_as_timed_out():
-    judge = Judge(MISSION)
+    judge = Judge(RUN, CONE, DOCKING)
     judge.start([-1.0, 0.0, 0.0, 0.25, 0.0, 0.0])
     judge.advance(1, [-0.875, 0.0, 0.0, 0.25, 0.0, 0.0], REST)
     assert judge.verdict(final=True).reason == 'timeout'
@@ -291,7 +295,7 @@ def test_a_run_that_is_stopped_under_way_counts_as_timed_out():
 
 
 def test_a_single_verdict_is_made_of_plain_numbers():
-    judge = Judge(MISSION)
+    judge = Judge(RUN, CONE, DOCKING)
     judge.start([-1.0, 0.0, 0.0, 0.25, 0.0, 0.0])
     kinds = [type(value) for value in fields(judge.verdict()).values()]
     assert kinds == [bool, str] + [float]*10
@@ -299,7 +303,7 @@ def test_a_single_verdict_is_made_of_plain_numbers():
 
 @pytest.mark.parametrize('step', [0, 1, 3, 7])
 def test_a_gap_is_refused_with_its_step(step):
-    judge = Judge(MISSION)
+    judge = Judge(RUN, CONE, DOCKING)
     judge.start([-30.0, 0.0, 0.0, 0.25, 0.0, 0.0])
     judge.advance(1, [-29.875, 0.0, 0.0, 0.25, 0.0, 0.0], REST)
     with pytest.raises(ValueError, match=f'got {step} after 1'):
@@ -308,23 +312,23 @@ def test_a_gap_is_refused_with_its_step(step):
 
 def test_nothing_can_be_judged_before_the_start():
     with pytest.raises(ValueError, match='got 1 after none'):
-        Judge(MISSION).advance(1, np.zeros(6), REST)
+        Judge(RUN, CONE, DOCKING).advance(1, np.zeros(6), REST)
 
 
 def test_a_batch_of_another_shape_is_refused():
     with pytest.raises(ValueError, match=r'expected shape \(3, 6\), got \(2, 6\)'):
-        Judge(MISSION, (3,)).start(np.zeros((2, 6)))
+        Judge(RUN, CONE, DOCKING, (3,)).start(np.zeros((2, 6)))
 
 
 def test_without_any_control_the_reference_approach_leaves_at_69_seconds():
-    model, judge = Cw(MISSION), Judge(MISSION)
+    model, judge = Cw(OrbitParams(), H), Judge(RUN, CONE, DOCKING)
     state = np.array([-30.0, 0.0, 0.0, 0.25, 0.0, 0.0])
     judge.start(state)
     for step in range(1, 401):
         state = model.advance(state, REST)
         judge.advance(step, state, REST)
     v = seen(judge.verdict())
-    n = MISSION.orbit.mean_motion
+    n = OrbitParams().mean_motion
 
     def station(t):                                 # eq. 19
         return -30.0 + np.sin(n*t)/n - 0.75*t
@@ -340,26 +344,26 @@ def test_without_any_control_the_reference_approach_leaves_at_69_seconds():
 
 # -- flights ----------------------------------------------------------------------------------
 
-def flights(runs, mission, seed=0):
+def flights(runs, run, seed=0):
     """Fly clumsy pulses towards the axis; return states (K, N, 6) and accelerations."""
-    rng, model = np.random.default_rng(seed), Cw(mission)
+    rng, model = np.random.default_rng(seed), Cw(OrbitParams(), run.step_s)
     state = rng.normal(size=(runs, 6)) * [0, .5, .5, 0, .01, .01] + [-30, 0, 0, .25, 0, 0]
     states, accels, levels = [state], [], np.zeros((runs, 3), dtype=int)
-    for _ in range(mission.last_step):
+    for _ in range(run.last_step):
         miss = -np.clip(state[:, :3]/12, -.06, .06) - state[:, 3:]
         miss[:, 0] = 0.25 - state[:, 3]
-        change = rng.random((runs, 3)) < mission.step_s/3
+        change = rng.random((runs, 3)) < run.step_s/3
         wanted = np.sign(miss) * (np.abs(miss) > 0.012) * rng.integers(1, 4, size=(runs, 3))
         levels = np.where(change, wanted.astype(int), levels)
-        accel = acceleration(levels, mission.thrust) * (1 + .01*rng.normal(size=(runs, 3)))
+        accel = acceleration(levels, ThrustParams()) * (1 + .01*rng.normal(size=(runs, 3)))
         state = model.advance(state, accel)
         states.append(state)
         accels.append(accel)
     return np.array(states), np.array(accels)
 
 
-def judge_all(mission, states, accels, batch, ask=()):
-    judge = Judge(mission, batch)
+def judge_all(run, states, accels, batch, ask=()):
+    judge = Judge(run, CONE, DOCKING, batch)
     judge.start(states[0])
     for step, accel in enumerate(accels, start=1):
         judge.advance(step, states[step], accel)
@@ -368,9 +372,9 @@ def judge_all(mission, states, accels, batch, ask=()):
     return judge.verdict(final=True)
 
 
-def oracle(states, mission):
+def oracle(states, run):
     """Judge one flight by brute force: a spline, dense sampling, scipy's searches."""
-    h = mission.step_s
+    h = run.step_s
     spline = CubicHermiteSpline(h*np.arange(len(states)), states[:, :3], states[:, 3:])
     t = np.linspace(0.0, h*(len(states) - 1), 40*(len(states) - 1) + 1)
     x = spline(t)[:, 0]
@@ -397,12 +401,12 @@ def oracle(states, mission):
 
 @pytest.mark.parametrize('step_s', [0.1, 0.5, 1.0])
 def test_flights_are_judged_as_brute_force_judges_them(step_s):
-    mission, runs = Mission(step_s=step_s), 40
-    states, accels = flights(runs, mission, seed=3)
-    v = seen(judge_all(mission, states, accels, (runs,)))
+    run, runs = Run(step_s=step_s), 40
+    states, accels = flights(runs, run, seed=3)
+    v = seen(judge_all(run, states, accels, (runs,)))
     assert len(set(v.reason.tolist())) > 1          # docked ones and others
     for r in range(runs):
-        end, margin, left, place, rate, spline = oracle(states[:, r], mission)
+        end, margin, left, place, rate, spline = oracle(states[:, r], run)
         assert v.duration[r] == pytest.approx(end, abs=1e-7)
         assert v.min_corridor_margin[r] == pytest.approx(margin, abs=1e-7)
         assert v.exit_time[r] == pytest.approx(left, abs=1e-5, nan_ok=True)
@@ -420,16 +424,16 @@ def row(verdict, i):
 
 
 def test_a_run_in_a_batch_is_judged_to_the_bit_like_a_single_one():
-    states, accels = flights(1000, MISSION, seed=1)
+    states, accels = flights(1000, RUN, seed=1)
     states[100, 4] = np.inf                         # also among broken ones
     accels[50, 5] = np.inf
     with np.errstate(invalid='raise', over='raise'):
-        batch = judge_all(MISSION, states, accels, (1000,))
+        batch = judge_all(RUN, states, accels, (1000,))
     for size in (1, 7):
-        few = judge_all(MISSION, states[:, :size], accels[:, :size], (size,))
+        few = judge_all(RUN, states[:, :size], accels[:, :size], (size,))
         assert all(row(few, i) == row(batch, i) for i in range(size))
     for i in range(60):
-        single = judge_all(MISSION, states[:, i], accels[:, i], ())
+        single = judge_all(RUN, states[:, i], accels[:, i], ())
         for name, one in fields(single).items():
             of_batch = fields(batch)[name][i]
             assert np.array_equal(one, of_batch, equal_nan=not isinstance(one, str)), (i, name)
@@ -437,15 +441,15 @@ def test_a_run_in_a_batch_is_judged_to_the_bit_like_a_single_one():
 
 
 def test_asking_under_way_does_not_change_the_verdict():
-    states, accels = flights(200, MISSION, seed=2)
-    quiet = judge_all(MISSION, states, accels, (200,))
-    asked = judge_all(MISSION, states, accels, (200,), ask=range(0, 400, 3))
+    states, accels = flights(200, RUN, seed=2)
+    quiet = judge_all(RUN, states, accels, (200,))
+    asked = judge_all(RUN, states, accels, (200,), ask=range(0, 400, 3))
     assert [row(quiet, i) for i in range(200)] == [row(asked, i) for i in range(200)]
 
 
 def test_a_run_that_has_ended_keeps_its_verdict_whatever_comes():
-    states, accels = flights(50, MISSION, seed=4)
-    judge = Judge(MISSION, (50,))
+    states, accels = flights(50, RUN, seed=4)
+    judge = Judge(RUN, CONE, DOCKING, (50,))
     judge.start(states[0])
     kept = {}
     for step, accel in enumerate(accels, start=1):
@@ -459,9 +463,9 @@ def test_a_run_that_has_ended_keeps_its_verdict_whatever_comes():
 
 
 def test_batches_may_have_several_axes():
-    states, accels = flights(6, MISSION, seed=5)
-    flat = judge_all(MISSION, states, accels, (6,))
-    folded = judge_all(MISSION, states.reshape(-1, 2, 3, 6), accels.reshape(-1, 2, 3, 3), (2, 3))
+    states, accels = flights(6, RUN, seed=5)
+    flat = judge_all(RUN, states, accels, (6,))
+    folded = judge_all(RUN, states.reshape(-1, 2, 3, 6), accels.reshape(-1, 2, 3, 3), (2, 3))
     assert {field.shape for field in fields(folded).values()} == {(2, 3)}
     assert np.array_equal(folded.duration.ravel(), flat.duration)
 
@@ -469,17 +473,17 @@ def test_batches_may_have_several_axes():
 # -- what it declares -------------------------------------------------------------------------
 
 def test_a_run_succeeds_when_every_measure_is_within_its_limits():
-    states, accels = flights(400, MISSION, seed=6)
-    judge = Judge(MISSION, (400,))
-    v = judge_all(MISSION, states, accels, (400,))
+    states, accels = flights(400, RUN, seed=6)
+    judge = Judge(RUN, CONE, DOCKING, (400,))
+    v = judge_all(RUN, states, accels, (400,))
     within = np.all([m.ok(v.values[m.name]) for m in judge.measures], axis=0)
     assert np.array_equal(within, v.success) and 0 < v.success.sum() < 400
     assert [m.name for m in judge.measures] == list(v.values)
 
 
-def test_limits_and_reasons_are_those_of_the_mission():
-    mission = Mission(docking=DockingParams(0.2, 0.05), corridor=CorridorParams(3.0, 0.4))
-    limits = {m.name: (m.low, m.high) for m in Judge(mission).measures}
+def test_limits_and_reasons_are_those_of_the_settings():
+    judge = Judge(Run(), Cone(3.0, 0.4), DockingParams(0.2, 0.05))
+    limits = {m.name: (m.low, m.high) for m in judge.measures}
     assert limits['x_rate_m_s'] == (0.0, 0.2) and limits['lateral_rate_m_s'][1] == 0.05
     assert limits['offset_m'][1] == 0.4 and limits['min_corridor_margin_m'][0] == 0.0
     assert set(Judge.reasons) == set(REASONS.tolist()) - {''}
@@ -502,11 +506,11 @@ def test_a_run_ends_at_the_plane_at_the_time_limit_or_where_nothing_is_known(sta
 
 
 def test_the_judge_ends_a_run_no_later_than_the_plant_does():
-    states, accels = flights(300, MISSION, seed=8)
+    states, accels = flights(300, RUN, seed=8)
     states[77, 3, 4] = np.nan
-    judge = Judge(MISSION, (300,))
+    judge = Judge(RUN, CONE, DOCKING, (300,))
     judge.start(states[0])
     for step, accel in enumerate(accels, start=1):
         judge.advance(step, states[step], accel)
-        assert judge.ended[ended(step, states[step], MISSION.last_step)].all()
+        assert judge.ended[ended(step, states[step], RUN.last_step)].all()
     assert judge.ended.all()

@@ -1,0 +1,144 @@
+"""
+The figures of a campaign of approaches: where runs dock, how they fly, where they fail.
+
+They are drawn from the result table; tracks are flown again for the runs that are shown.
+"""
+
+from math import ceil
+from typing import Any, TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rvd_dynamics.diagram.in_process import fly
+from rvd_dynamics.diagram.scenario import Scenario
+from rvd_dynamics.geometry import cone
+from rvd_dynamics.recording.drawing import (
+    BLUE, CampaignFigure, canvas, DASHED, INK, LINES, ORANGE)
+from rvd_missions.lunar_approach.signals import TRUTH
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure as Canvas
+
+LANDED, TRACKS = 300, 40                # runs shown per condition
+Drawn = tuple['Canvas', str]
+
+
+def landing(results: Any) -> Drawn:
+    """Draw where successful runs met the docking plane (the paper's figure 7)."""
+    from matplotlib.patches import Circle
+    shown = results.shown
+    columns = min(len(shown), 4 if len(shown) in (4, 7, 8) else 3)
+    lines = ceil(len(shown) / columns)
+    figure = canvas(0.3 + 3.1*lines, top=0.35, hspace=0.42, wspace=0.24)
+    for axes, condition in zip(figure.subplots(lines, columns, squeeze=False).flat, shown):
+        table = results.tables[condition.name]
+        good = np.flatnonzero(table['success'])[:LANDED]
+        axes.plot(table['y_m'][good], table['z_m'][good], '.', color=BLUE, markersize=4.5,
+                  alpha=0.6, markeredgewidth=0)
+        radius = condition.scenario.part('cone').docking_radius_m
+        axes.add_patch(Circle((0, 0), radius, fill=False, edgecolor=INK, linewidth=1.6,
+                              linestyle=DASHED))
+        axes.set(xlim=(-1.1*radius, 1.1*radius), ylim=(-1.1*radius, 1.1*radius), aspect='equal',
+                 xlabel='y, radial [m]', ylabel='z, cross track [m]')
+        upper = table['y_m'][table['success']] > 0.0
+        axes.set_title(f'{condition.name}\n{100*upper.mean():.0f} % at y > 0' if upper.size
+                       else condition.name)
+    for axes in figure.axes[len(shown):]:
+        axes.remove()
+    return figure, (
+        'Where successful runs met the docking plane, seen along the direction of flight: at most '
+        f'the first {LANDED} of each condition. Dashed: the limit. The percentages are of all '
+        'successful runs.')
+
+
+def tracks(results: Any) -> Drawn:
+    """Draw tracks of successful runs in both planes (the paper's figures 8 to 11)."""
+    shown = results.shown
+    figure = canvas(0.55 + 2.25*len(shown), hspace=0.34, wspace=0.14, top=0.58)
+    panels = figure.subplots(len(shown), 2, squeeze=False, sharex=True)
+    outside = []
+    for line, condition in zip(panels, shown):
+        states = flown_again(condition.scenario, results.tables[condition.name])
+        for axes, lateral in zip(line, (1, 2)):
+            _side_view(axes, condition.scenario, states, lateral)
+            axes.set_title(f'{condition.name}: x-{"xyz"[lateral]}')
+        if states.shape[1]:
+            share = _left_boundary(condition.scenario, states)
+            outside.append(f'{condition.name} {100*share:.0f} %')
+    for axes in panels[-1]:
+        axes.set_xlabel('x, along track [m]')
+    figure.legend(*panels[0, 0].get_legend_handles_labels(), ncols=3, loc='upper right',
+                  bbox_to_anchor=(0.99, 1.0))
+    return figure, (
+        f'The first {TRACKS} successful runs of each condition, flown again for this figure. '
+        'Dashed: the corridor wall; solid: the control boundary. Each panel shows the cone cut '
+        'along its axis. Share of these runs that were outside the control boundary at some time: '
+        f'{"; ".join(outside) or "none shown"}. According to the paper, tracks flown under shared '
+        'control stay inside it.')
+
+
+def flown_again(scenario: Scenario, table: dict[str, NDArray]) -> NDArray[np.float64]:
+    """Return the states (steps, n, 6) of the first successful runs of a table."""
+    runs = table['run'][table['success']][:TRACKS]
+    if not len(runs):
+        return np.empty((0, 0, 6))
+    return fly(scenario, runs.tolist(), record=[TRUTH.name]).history[TRUTH.name].state
+
+
+def _left_boundary(scenario: Scenario, states: NDArray[np.float64]) -> float:
+    x, y, z = states[..., 0], states[..., 1], states[..., 2]
+    beyond = np.sqrt(y*y + z*z) > _boundary(scenario, np.minimum(x, 0.0))    # NaN compares false
+    return float((beyond & (x < 0.0)).any(axis=0).mean())
+
+
+def _boundary(scenario: Scenario, x: NDArray[np.float64]) -> NDArray[np.float64]:
+    return cone.control_boundary(x, scenario.part('cone'), scenario.part('orbit').mean_motion,
+                                 delay=scenario.part('leg_params').loop_s)
+
+
+def _side_view(axes: 'Axes', scenario: Scenario, states: NDArray[np.float64], lateral: int
+               ) -> None:
+    first = scenario.part('start').position_m[0]
+    x = np.linspace(first, 0.0, 121)
+    wall, inner = cone.radius(x, scenario.part('cone')), _boundary(scenario, x)
+    for sign in (1.0, -1.0):
+        axes.plot(x, sign*wall, color=INK, linestyle=DASHED, linewidth=1.8,
+                  label='corridor wall' if sign > 0 else None)
+        axes.plot(x, sign*inner, color=ORANGE, linewidth=1.8,
+                  label='control boundary' if sign > 0 else None)
+    every = max(1, round(2.0 / scenario.run.step_s))
+    for run in range(states.shape[1]):
+        track = states[np.isfinite(states[:, run, 0]), run]
+        track = np.concatenate([track[:-1:every], track[-1:]])
+        axes.plot(track[:, 0], track[:, lateral], color=BLUE, linewidth=0.7, alpha=0.55,
+                  label='flown' if run == 0 else None)
+    widest = 1.08 * float(wall.max())
+    axes.set(xlim=(first - 0.3, 0.6), ylim=(-widest, widest),
+             ylabel=f'{"xyz"[lateral]}, {("", "radial", "cross track")[lateral]} [m]')
+
+
+def failures(results: Any) -> Drawn:
+    """Draw at which station runs left the corridor."""
+    shown = results.shown
+    figure = canvas(3.4, top=0.15)
+    axes = figure.subplots()
+    first = min(c.scenario.part('start').position_m[0] for c in shown)
+    bins = np.linspace(first, 0.0, 61)
+    for condition, (colour, style, _) in zip(shown, LINES * 2):
+        table = results.tables[condition.name]
+        where = table['failed_x_m'][table['reason'] == 'left_corridor']
+        share = np.histogram(where, bins)[0] / len(table['run'])
+        axes.stairs(100*np.cumsum(share), bins, color=colour, linestyle=style, linewidth=1.6,
+                    baseline=None, label=condition.name)
+    axes.set(xlabel='station x [m]', ylabel='left the corridor so far [% of runs]')
+    axes.legend(loc='upper left')
+    return figure, 'Share of all runs that have left the corridor before reaching each station.'
+
+
+FIGURES = {
+    'landing': CampaignFigure(landing, 'At the docking plane', ('y_m', 'z_m'), tall=True),
+    'tracks': CampaignFigure(tracks, 'Tracks', tall=True),
+    'failures': CampaignFigure(failures, 'Where runs fail', ('failed_x_m',)),
+}
