@@ -91,13 +91,24 @@ class Diagram:
 
     @cached_property
     def order(self) -> tuple[Block, ...]:
-        """The blocks so that each comes after those whose present output it reads."""
+        """
+        The blocks so that each comes after those whose present output it reads.
+
+        What is held comes before its readers, too, unless it waits for them.
+        """
+        self._sorted(held=False)                    # refuses a cycle without delay
+        try:
+            return self._sorted(held=True)
+        except DiagramError:
+            return self._sorted(held=False)
+
+    def _sorted(self, held: bool) -> tuple[Block, ...]:
         done: dict[str, Block] = {}
         for block in self.blocks:
-            self._visit(block, [], done)
+            self._visit(block, [], done, held)
         return tuple(done.values())
 
-    def _visit(self, block: Block, path: list[str], done: dict[str, Block]) -> None:
+    def _visit(self, block: Block, path: list[str], done: dict[str, Block], held: bool) -> None:
         if block.name in done:
             return
         if block.name in path:
@@ -105,8 +116,8 @@ class Diagram:
             raise DiagramError(f'blocks {" -> ".join(cycle)} wait for each other: a cycle needs a '
                                'delay of at least one step')
         for read in block.reads.values():
-            if read.delay == 0 and not read.held and read.signal.name in self.writer_of:
-                self._visit(self.writer_of[read.signal.name], [*path, block.name], done)
+            if read.delay == 0 and (held or not read.held) and read.signal.name in self.writer_of:
+                self._visit(self.writer_of[read.signal.name], [*path, block.name], done, held)
         done[block.name] = block
 
     def readers_of(self, signal: str) -> list[Block]:
