@@ -8,7 +8,8 @@ streams are all read from it.
 Rules   every signal has one writer; a cycle has a delay in it; a truth signal is written by the
         world and read by the world and the watchers alone; nothing passes between the craft and
         the ground but through a leg of the link; the guard is the only writer of the thrust
-        command; what a slower block writes is read with a delay of at least one step.
+        command; what a slower block writes is read with a delay of at least one step; no two
+        draws come from one random stream.
 """
 
 from collections.abc import Iterable, Iterator
@@ -18,6 +19,7 @@ from functools import cached_property
 from rvd_dynamics.diagram.block import (
     Block, External, GROUND, Leg, LINK, ONBOARD, Read, SEES_TRUTH, SEGMENTS, WATCH, WORLD)
 from rvd_dynamics.diagram.signal import Signal
+from rvd_dynamics.diagram.streams import number_of
 
 GROUPINGS = ('blocks', 'segments', 'one')
 # Segment of a reader: segments whose signals it may read.
@@ -63,7 +65,9 @@ class Diagram:
         self._check_names()
         self._check_writers()
         self._check_reads()
+        self._check_externals()
         self._check_thrust()
+        self._check_draws()
         self.order                              # refuses a cycle without delay
 
     # -- look-up ----------------------------------------------------------------------------
@@ -132,19 +136,24 @@ class Diagram:
         for name in names:
             if names.count(name) > 1:
                 raise DiagramError(f'block {name} is declared twice: names are unique')
+        for block in self.blocks:
+            if block.segment == LINK and not isinstance(block, Leg):
+                raise DiagramError(f'block {block.name} of segment {LINK} is no leg: only a leg '
+                                   'of the link joins craft and ground')
         for role in ('plant', 'guard'):
             if getattr(self, role) not in self.by_name:
                 raise DiagramError(f'the {role} must be one of the blocks '
                                    f'{", ".join(self.by_name)}, got {getattr(self, role)!r}')
 
     def _check_writers(self) -> None:
-        writers: dict[str, Block] = {}
+        writers = {topic: external.name for external in self.externals
+                   for topic in external.writes}
         for block in self.blocks:
-            for signal in block.writes.values():
-                other = writers.setdefault(signal.name, block)
-                if other is not block:
-                    raise DiagramError(f'block {block.name} writes {signal.name}, which '
-                                       f'{other.name} writes too: a signal has one writer')
+            for output, signal in block.writes.items():
+                other = writers.setdefault(signal.name, f'{block.name}.{output}')
+                if other != f'{block.name}.{output}':
+                    raise DiagramError(f'block {block.name} writes {signal.name} as {output}, '
+                                       f'which {other} writes too: a signal has one writer')
                 if signal.truth and block.segment != WORLD:
                     raise DiagramError(f'block {block.name} of segment {block.segment} writes '
                                        f'{signal.name}: truth is written by the world')
@@ -184,6 +193,37 @@ class Diagram:
             raise DiagramError(f'block {block.name} (period {block.period}) reads {name} of '
                                f'{writer.name} (period {writer.period}) without delay: what a '
                                'slower block writes is read at least one step later')
+
+    def _check_externals(self) -> None:
+        for external in self.externals:
+            for topic in external.reads:
+                writer = self.writer_of.get(topic)      # none: what a leg says of itself
+                if writer is None:
+                    continue
+                if self.signals[topic].truth and external.segment not in SEES_TRUTH:
+                    raise DiagramError(f'{external.name} of segment {external.segment} reads '
+                                       f'{topic}: truth is for the world and the watchers alone')
+                if writer.segment not in MAY_READ[external.segment]:
+                    raise DiagramError(
+                        f'{external.name} of segment {external.segment} reads {topic} of segment '
+                        f'{writer.segment}: only a leg of the link joins them')
+
+    def _check_draws(self) -> None:
+        streams: dict[int, tuple[str, str, str]] = {}
+        for block in self.blocks:
+            for name, draw in block.draws.items():
+                for purpose in draw.purposes:
+                    try:
+                        number = number_of(purpose)
+                    except ValueError as error:
+                        raise DiagramError(f'block {block.name} draws {name}: {error}') from None
+                    mine = block.name, name, purpose
+                    other, its_name, its = streams.setdefault(number, mine)
+                    if (other, its_name, its) != mine:
+                        raise DiagramError(
+                            f'block {block.name} draws {name} ({purpose}) from the stream of '
+                            f'{its_name} ({its}) of block {other}: each draw has a stream of its '
+                            'own')
 
     def _check_thrust(self) -> None:
         writer = self.writer_of.get(self.thrust)
