@@ -154,6 +154,8 @@ def test_the_loop_in_one_process_runs_where_there_is_no_ros():
     """
     script = ('import sys\n'
               f'for name in {sorted(ROS)!r}: sys.modules[name] = None\n'
-              'import rvd_campaign.loop\n')
+              'from rvd_dynamics.diagram import in_process, scenario\n'
+              'short = scenario.parse("/**: {ros__parameters: {timeout_s: 1.0}}", "short")\n'
+              'assert len(in_process.fly(short, [0]).runs) == 1\n')
     done = subprocess.run([sys.executable, '-c', script], capture_output=True, text=True)
     assert done.returncode == 0, done.stderr

@@ -6,7 +6,7 @@ from rvd_dynamics.diagram.signal import Part, Signal
 from rvd_dynamics.link import signals as link
 
 _state = Part('state', (2,), 'm, m/s')
-_command = Part('command', (1,), 'm/s^2')
+_command = Part('command', (1,), 'm/s^2', initial=0.0)      # no thrust
 
 TRUTH = Signal('/truth/state', (
     _state, Part('acceleration', (1,), 'm/s^2'), Part('final', (), '', '?')), truth=True)

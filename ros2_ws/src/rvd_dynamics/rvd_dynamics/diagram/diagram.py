@@ -8,13 +8,15 @@ streams are all read from it.
 Rules   every signal has one writer; a cycle has a delay in it; a truth signal is written by the
         world and read by the world and the watchers alone; nothing passes between the craft and
         the ground but through a leg of the link; the guard is the only writer of the thrust
-        command; what a slower block writes is read with a delay of at least one step; no two
-        draws come from one random stream.
+        command, which has an initial value; what a slower block writes is read with a delay of
+        at least one step; two purposes of draws have two streams.
 """
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
+
+import numpy as np
 
 from rvd_dynamics.diagram.block import (
     Block, External, GROUND, Leg, LINK, ONBOARD, Read, SEES_TRUTH, SEGMENTS, WATCH, WORLD)
@@ -209,7 +211,7 @@ class Diagram:
                         f'{writer.segment}: only a leg of the link joins them')
 
     def _check_draws(self) -> None:
-        streams: dict[int, tuple[str, str, str]] = {}
+        streams: dict[int, tuple[str, str]] = {}
         for block in self.blocks:
             for name, draw in block.draws.items():
                 for purpose in draw.purposes:
@@ -217,19 +219,21 @@ class Diagram:
                         number = number_of(purpose)
                     except ValueError as error:
                         raise DiagramError(f'block {block.name} draws {name}: {error}') from None
-                    mine = block.name, name, purpose
-                    other, its_name, its = streams.setdefault(number, mine)
-                    if (other, its_name, its) != mine:
-                        raise DiagramError(
-                            f'block {block.name} draws {name} ({purpose}) from the stream of '
-                            f'{its_name} ({its}) of block {other}: each draw has a stream of its '
-                            'own')
+                    other, its = streams.setdefault(number, (block.name, purpose))
+                    if its != purpose:
+                        raise DiagramError(f'block {block.name} draws {name} from {purpose}, which '
+                                           f'has the stream of {its} of block {other}: give it '
+                                           'another name')
 
     def _check_thrust(self) -> None:
         writer = self.writer_of.get(self.thrust)
         if writer is None or writer.name != self.guard:
             raise DiagramError(f'{self.thrust} is written by {writer.name if writer else "nobody"}: '
                                f'the guard {self.guard} is the only writer of thrust')
+        for part in self.signals[self.thrust].parts:
+            if part.name == 'command' and not np.isfinite(part.filled(())).all():
+                raise DiagramError(f'block {self.guard} writes {self.thrust}, whose command has no '
+                                   'initial value: it acts where none has come in time')
 
     # -- processes --------------------------------------------------------------------------
 

@@ -2,8 +2,9 @@
 The signals at the two ends of the link, and the guard's command, for any state and command form.
 
 A mission gives its state and its command as parts named `state` and `command`; the rest is what
-codecs, legs and guard agree on. All but the thrust are frames of bytes to the link. They import
-nothing of the link itself, so that the ground may name them.
+codecs, legs and guard agree on. A command's initial value is what the thrusters do where none has
+come in time. All but the thrust are frames of bytes to the link. This module imports nothing of
+the link itself, so that the ground may name them.
 """
 
 from rvd_dynamics.commands.codes import KIND_THRUST

@@ -41,7 +41,7 @@ MISSION = Mission(
         'law': f'{HERE}.ground:law',
         'tape': f'{HERE}.ground:tape',
     },
-    checked=('legs', 'paced'),
+    checked=('paced', 'legs'),
     diagram=f'{HERE}.diagram:diagram',
     judge=f'{HERE}.judge:Judge',
     columns=f'{HERE}.columns:ORDER',

@@ -411,7 +411,7 @@ class PlantNode(BlockNode):
         self._recorded: int | None = None
         self._waiting_for = set(self.roster.names) - {
             e.name for e in self.roster.externals.values() if e.foreign}
-        self._clock, self._clock_layout = self.writer('/clock', Clock), Layout(Clock)
+        self._clock_out, self._clock_layout = self.writer('/clock', Clock), Layout(Clock)
         self._end = self.writer('/run/end', UInt64)
         self._story = self.writer('/run/scenario', String)
         truth = self.roster.diagram.truth
@@ -437,7 +437,7 @@ class PlantNode(BlockNode):
     def on_step(self, k: int) -> None:
         """Advance the truth; say when it is the last of it."""
         super().on_step(k)
-        self.host.publish(self._clock, '/clock', k, self._clock_layout.pack(
+        self.host.publish(self._clock_out, '/clock', k, self._clock_layout.pack(
             *divmod(k * self.run.step_ns, NS_PER_S)))
 
     def before_publishing(self, k: int, outputs: dict[str, Any]) -> None:
