@@ -20,14 +20,16 @@ ROS = {'rclpy', 'rvd_interfaces', 'ament_index_python', 'builtin_interfaces', 'r
 
 # What the ground may use of rvd_dynamics: mathematics and vocabulary of both sides. The rest of
 # it is the world, which the ground knows through the link alone.
-SHARED = ['constants', 'frames', 'motion', 'geometry', 'commands', 'link.frame', 'judge',
-          'diagram', 'mission', 'recording.messages', 'recording.whole']
+SHARED = ['constants', 'frames', 'motion', 'geometry', 'commands', 'link.frame', 'link.signals',
+          'judge', 'diagram', 'mission', 'recording.messages', 'recording.whole']
 WORLD = ['world', 'onboard', 'link.models', 'link.plan', 'link.play_out', 'link.channel', 'nodes']
 
 # Outside of ros/ and nodes/ all the same: the live view of `rvd fly`, which listens to topics from
 # within the command's own process; the recorder's look-up of installed message definitions; and the
-# benchmark's graph of hollow nodes, with the view that follows it, and its ear on the stick.
+# benchmark's graph of hollow nodes, with the view that follows it, and its ear on the stick; and
+# the console's node, which is no block.
 ALSO_ROS = {'rvd_campaign.flight.watch', 'rvd_dynamics.recording.definitions',
+            'rvd_groundstation.console.node',
             'rvd_campaign.bench.bare', 'rvd_campaign.bench.graph', 'rvd_campaign.bench.console'}
 
 

@@ -49,6 +49,7 @@ MISSION = Mission(
     campaign_figures=f'{HERE}.campaign_figures:FIGURES',
     campaign_notes=f'{HERE}.campaigns:notes',
     short_words={'pilot': f'{HERE}.campaigns:pilot'},
+    display=f'{HERE}.display:LunarDisplay',
     usual_steps=f'{HERE}.settings:usual_steps',
     modes=('manual', 'shared', 'auto'),
     markers=True,
