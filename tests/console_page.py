@@ -150,8 +150,8 @@ def fly_by_keys(page, deadline_s: float = 120.0, over: str = 'Boolean(rvd.store.
     deadline = time.monotonic() + deadline_s
     while time.monotonic() < deadline:
         seen = page.evaluate(
-            '({x: rvd.store.frame.pred?.ok ? rvd.store.frame.pred.x : null, '
-            f'over: {over}}})')
+            '({x: rvd.store.predicted && [...rvd.store.predicted.parts.position, '
+            f'...rvd.store.predicted.parts.velocity], over: {over}}})')
         if seen['over']:
             break
         for axis, names in KEYS.items():

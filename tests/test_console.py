@@ -12,7 +12,7 @@ from runs import messages, rvd, verdict_of, wait_for
 
 pytestmark = pytest.mark.slow
 STEP_NS = 500_000_000           # of the scenario `barrier`
-PARTS = ('measured', 'ghost', 'corridor', 'station')
+PARTS = ('chaser', 'ghost', 'corridor', 'station')
 PAD = """
 (() => {
   const pad = { id: 'stub', connected: true, axes: [0, 0, 0, 0],
@@ -103,12 +103,13 @@ def test_a_recorded_run_is_reviewed_with_its_truth(flown, console, browser):
     page.keyboard.press('l')
     page.click(f'[data-run="{flown["run"].name}"]')
     until(page, 'rvd.review.on')
-    last = page.evaluate('rvd.review.run.frames.filter((f) => f.truth).at(-1)')
+    last = page.evaluate('rvd.review.run.frames.filter((f) => f.signals.truth).at(-1)')
     truth = messages(flown['run'], '/truth/relative_state')
     there = next(m for m in truth if m.step == last['k'])
-    assert last['truth'][:3] == pytest.approx(
+    assert last['signals']['truth']['parts']['position'] == pytest.approx(
         [there.position.x, there.position.y, there.position.z], abs=1e-5)
-    sent = [f['pilot']['lv'] for f in page.evaluate('rvd.review.run.frames') if f.get('pilot')]
+    sent = [f['signals']['/joy']['parts']['value']
+            for f in page.evaluate('rvd.review.run.frames') if '/joy' in f['signals']]
     assert any(any(levels) for levels in sent)                          # what the stick said
     page.evaluate('rvd.review.go(40)')
     page.wait_for_timeout(300)
@@ -126,9 +127,9 @@ def test_a_gamepad_flies_only_while_its_dead_man_is_held(console, browser):
     page.evaluate('pad.axes[2] = 1; pad.buttons[4].pressed = true')
     page.wait_for_timeout(100)
     state = page.evaluate('rvd.stick.state()')
-    assert state['held'] and state['z'] == pytest.approx(1.0)
+    assert state['held'] and state['at'] == [0, 0, pytest.approx(1.0)]
     page.evaluate('pad.axes[2] = 0.07')          # inside the dead zone
-    assert page.evaluate('rvd.stick.state().z') == 0
+    assert page.evaluate('rvd.stick.state().at') == [0, 0, 0]
     page.evaluate('pad.buttons[4].pressed = false')
     assert not page.evaluate('rvd.stick.state().held')
     page.close()
@@ -143,7 +144,7 @@ def test_a_lost_page_is_a_lost_pilot_and_abort_needs_no_lease(console, browser):
     page.close()                                # mid-flight
     until(watcher, 'rvd.store.status.pilot_lost')
     until(watcher, "document.querySelector('#banner').textContent.includes('PILOT LOST')")
-    until(watcher, 'rvd.store.frame.cmd.why === 9')         # stick invalid: automatic alone
+    until(watcher, 'rvd.store.sent.parts.reason === 9')         # stick invalid: automatic alone
     watcher.keyboard.press('x')
     watcher.keyboard.press('x')
     until(watcher, 'rvd.store.abortAt !== null')
@@ -179,7 +180,7 @@ def test_pause_stops_simulation_time_and_resume_goes_on(console, browser):
     until(page, "rvd.store.frame.mode === 'manual'")
     page.keyboard.press('p')
     until(page, f'rvd.store.frame.k > {before} + 5')
-    until(page, 'rvd.store.frame.cmd.why === 8 || rvd.store.frame.cmd.by === 1')
+    until(page, 'rvd.store.sent.parts.reason === 8 || rvd.store.sent.parts.by === 1')
     page.evaluate("(() => { rvd.link.ask({ do: 'stop' }); })()")
     until(page, "rvd.store.status.phase === 'ended'")
     page.close()

@@ -5,8 +5,8 @@ import pytest
 from conftest import Flown
 from runs import messages, ROOT, states
 
-from rvd_campaign.loop import fly
-from rvd_campaign.scenario import load, parse
+from rvd_dynamics.diagram.in_process import fly
+from rvd_dynamics.diagram.scenario import load, parse
 
 
 def thrust(run):
@@ -66,19 +66,21 @@ def test_barrier_equals_the_loop_with_any_sharing(case, tmp_path):
 
 def assert_equals_loop(run):
     scenario = parse((run / 'scenario.yaml').read_text(), 'flown')
-    alone = fly(scenario.loop(), [scenario.mission.run], record=True).history
+    alone = fly(scenario, [scenario.run.run], record=True).history
     truth = states(run, '/truth/relative_state')
-    history = alone.truth[:, 0]
+    history = alone['/truth/relative_state'].state[:, 0]
     np.testing.assert_array_equal(truth[:, :6], history[:len(truth)])
     levels = thrust(run)[:, :3]
-    np.testing.assert_array_equal(levels, alone.executed[:len(levels), 0])
+    executed = alone['/onboard/thruster_command'].command[:, 0]
+    np.testing.assert_array_equal(levels, executed[:len(levels)])
     auto = np.array([m.levels for m in messages(run, '/ground/auto_command')])
-    np.testing.assert_array_equal(auto, alone.auto[:len(auto), 0])
+    np.testing.assert_array_equal(auto, alone['/ground/auto_command'].command[:len(auto), 0])
 
 
 def test_random_streams_do_not_see_the_mode():
     shared = load(ROOT / 'scenarios' / 'paper.yaml')
     manual = shared.with_values('/**', mode='manual')
-    a, b = (fly(s.loop(), [0, 1], record=True).history for s in (shared, manual))
-    np.testing.assert_array_equal(a.truth[:20], b.truth[:20])      # before a command acts
-    assert not np.array_equal(a.truth[-1], b.truth[-1])
+    a, b = (fly(s, [0, 1], record=True).history['/truth/relative_state'].state
+            for s in (shared, manual))
+    np.testing.assert_array_equal(a[:20], b[:20])                   # before a command acts
+    assert not np.array_equal(a[-1], b[-1])

@@ -29,5 +29,5 @@ setup(
     license='Apache-2.0',
     entry_points={'console_scripts': [
         *(f'{node} = rvd_dynamics.diagram.ros.main:main' for node in NODES),
-        f'console = {NAME}.nodes.console:main']},
+        f'console = {NAME}.console.main:main']},
 )

@@ -1,5 +1,6 @@
 """A judge with two measures of its own: table, summary, report and verdict file take them."""
 
+import io
 import math
 from dataclasses import replace
 from unittest.mock import patch
@@ -9,14 +10,14 @@ import numpy as np
 import pytest
 import small_run
 
-from rvd_campaign.campaign import report, results, summary
-from rvd_campaign.campaign.results import Layout
+from rvd_campaign.campaign import figures, report, results, summary
 from rvd_campaign.campaign.spec import parse_campaign
 from rvd_campaign.flight import verdict as flight_verdict
-from rvd_campaign.loop import Flight
 from rvd_campaign.report import run as run_report
 from rvd_dynamics.diagram.judge import declared, judgement, Measure, Verdict
-from rvd_dynamics.mission import Mission
+from rvd_dynamics.diagram.in_process import Batch
+from rvd_dynamics.diagram.scenario import parse
+from rvd_dynamics.recording.drawing import CampaignFigure
 from rvd_dynamics.recording.reader import read
 
 MEASURES = (Measure('miss_rad', 'rad', 'pointing <miss>', high=0.1, digits=2),
@@ -30,32 +31,31 @@ class Judge:
     measures, reasons = MEASURES, REASONS
 
 
-def flight():
-    """Return four runs that this judge has judged."""
+def flight(**columns):
+    """Return four runs that this judge has judged, with columns of the mission."""
     good = MEASURES[0].ok(MISS)
-    runs, none = np.arange(4), np.zeros((4, 4), dtype=np.int64)
     verdict = Verdict(good, np.where(good, 'pointed', 'missed'), np.full(4, 9.0),
                       {'miss_rad': MISS, 'fuel_kg': FUEL})
-    return Flight(runs, np.full(4, 18), verdict, np.full((4, 6), np.nan), none, runs, None)
+    return Batch(np.arange(4), np.full(4, 18), verdict, columns, None)
 
 
 def test_the_table_is_the_verdict_the_measures_and_what_the_mission_adds():
     assert list(results.rows(flight())) == [
         'run', 'success', 'reason', 'duration_s', 'miss_rad', 'fuel_kg']
-    added = Layout(lambda f: {'steps': f.end_step}, ('run', 'steps', 'success', 'miss_rad'))
-    table = results.rows(flight(), added)
+    assert list(results.rows(flight(steps=np.full(4, 18))))[-2:] == ['fuel_kg', 'steps']
+    table = results.rows(flight(steps=np.full(4, 18)), ('run', 'steps', 'success', 'miss_rad'))
     assert list(table) == ['run', 'steps', 'success', 'miss_rad']
     np.testing.assert_array_equal(table['miss_rad'], MISS)
 
 
-def test_a_layout_that_orders_what_there_is_not_is_refused():
+def test_an_order_of_what_there_is_not_is_refused():
     with pytest.raises(ValueError, match='no column fule_kg: there are run, success, reason'):
-        results.rows(flight(), Layout(order=('run', 'fule_kg')))
+        results.rows(flight(), ('run', 'fule_kg'))
 
 
 def test_a_column_that_no_table_can_hold_is_refused():
     with pytest.raises(ValueError, match='column z must be text, bool, int or float, got compl'):
-        results.rows(flight(), Layout(lambda f: {'z': np.zeros(4, dtype=complex)}))
+        results.rows(flight(z=np.zeros(4, dtype=complex)))
 
 
 @pytest.fixture
@@ -63,8 +63,11 @@ def made(tmp_path):
     """The summary of one condition, read back from a result file."""
     file = results.ResultFile(tmp_path / 'r.parquet', seed=3)
     file.add('all', results.rows(flight()))
-    assert file.close() == results.result_hash(tmp_path / 'r.parquet')
+    file.close()
     (name, table), = results.tables(tmp_path / 'r.parquet')
+    again = results.ResultFile(io.BytesIO(), seed=3)
+    again.add(name, table)
+    assert again.hash == file.hash
     condition = replace(parse_campaign('runs: 4', 'x').conditions[0], name=name)
     measures = declared(MEASURES)
     return {'measures': measures, 'reasons': REASONS, 'fitted': {}, 'differences': [],
@@ -84,8 +87,8 @@ def test_the_page_has_a_column_for_each_measure_and_reason(made):
     campaign = replace(parse_campaign('runs: 4', 'x'), reference={
         'paper': {'runs': 10, 'successes': 5, 'means': {'fuel_kg': 7.0}}})
     made.update(notes=[], result_hash='h', identity={'code': 'c'})
-    figures = {'success': ('Success', lambda results: (Figure(), 'none'))}
-    with patch.object(report, 'FIGURES', figures):
+    drawn = {'success': CampaignFigure(lambda results: (Figure(), 'none'), 'Success')}
+    with patch.object(figures, 'FIGURES', drawn):
         html = report.page(report.Results(campaign, made, {}))
     table = html[html.index('<h2>Conditions'):html.index('<h2>Success')]
     assert '<th>pointing &lt;miss&gt;<br>rad</th><th>fuel burnt<br>kg</th>' in table
@@ -114,7 +117,8 @@ def as_message(row, final=True):
 
 def test_verdict_json_has_the_promised_form():
     outcome = flight_verdict.outcome(as_message(2))
-    made = flight_verdict.as_dict(outcome, {'forward': None}, Mission(seed=5), 'mine')
+    scenario = parse('/**: {ros__parameters: {seed: 5}}', 'mine')
+    made = flight_verdict.as_dict(outcome, {'forward': None}, scenario)
     assert made == {
         'success': False, 'reason': 'missed', 'mission': 'lunar_approach', 'scenario': 'mine',
         'mode': 'shared', 'operator': 'model', 'seed': 5, 'run': 0, 'duration_s': 9.0,
@@ -129,5 +133,5 @@ def test_a_flight_that_was_stopped_has_not_failed_and_not_succeeded():
     assert flight_verdict.in_words(stopped).splitlines()[0] == 'interrupted after 9.0 s'
     unseen = flight_verdict.outcome(None, interrupted=True)
     assert flight_verdict.in_words(unseen) == 'interrupted' and math.isnan(unseen.duration)
-    made = flight_verdict.as_dict(unseen, {}, Mission(), 'mine')
+    made = flight_verdict.as_dict(unseen, {}, parse('/**: {ros__parameters: {}}', 'mine'))
     assert (made['duration_s'], made['measures']) == (None, {})

@@ -2,6 +2,7 @@
 Calibration: the root is found, condition 2 is never flown, and blindness is called by its name.
 """
 
+from dataclasses import replace
 from math import exp, log
 
 import joblib
@@ -12,7 +13,8 @@ from rvd_campaign import catalogue
 from rvd_campaign.campaign import calibrate
 from rvd_campaign.campaign.calibrate import (
     Bench, combinations, fit_success, Look, numbers, root, seen, Sensitivity, TARGET)
-from rvd_campaign.scenario import load, parse
+from rvd_campaign.exits import CannotRun
+from rvd_dynamics.diagram.scenario import load, parse, Scenario
 from rvd_groundstation.operators.pilot import PilotParams, PILOTS
 
 
@@ -95,7 +97,16 @@ def test_only_manual_flights_are_flown():
         'runs': 100, 'workers': 1, 'scenario': 'paper', 'seed': 3, 'pilot': 'A', 'free': None})()
     pilot, free, scenario = calibrate._asked(parser_args)
     assert (pilot, free) == (PILOTS['A'], ['skill_gain'])
-    assert scenario.mission.mode == 'manual' and scenario.mission.seed == 3
+    assert scenario.part('operation').mode == 'manual' and scenario.run.seed == 3
+
+
+def test_pilots_of_another_mission_are_refused(monkeypatch):
+    args = type('Args', (), {'runs': 100, 'workers': 1, 'scenario': 'paper'})()
+    paper = load(catalogue.find('scenarios', 'paper', ('.yaml',)))
+    other = Scenario('x', replace(paper.mission, name='other'), {})
+    monkeypatch.setattr(calibrate, 'load', lambda path: other)
+    with pytest.raises(CannotRun, match='--scenario paper: only pilots of lunar_approach.*other'):
+        calibrate._asked(args)
 
 
 def test_bench_flies_the_same_runs_for_every_pilot():

@@ -5,20 +5,23 @@ The same rows and the same hash, however the work was split, interrupted or shar
 import errno
 import io
 import json
+import pickle
 import shutil
+from dataclasses import replace
 
 import numpy as np
 import pyarrow.parquet
 import pytest
 
-from rvd_campaign.campaign import engine, lunar_columns, results
+from rvd_campaign.campaign import engine, results
 from rvd_campaign.campaign.engine import (
     check_same, fly_campaign, KEPT, open_folder, PARTS, RESULTS, sole_writer, start, Workers)
 from rvd_campaign.campaign.progress import clock, Progress
 from rvd_campaign.campaign.results import Stretch
 from rvd_campaign.campaign.spec import CampaignError, parse_campaign
 from rvd_campaign.campaign.summary import finish
-from rvd_campaign.loop import fly
+from rvd_dynamics.diagram.in_process import fly
+from rvd_missions.lunar_approach import columns
 
 TEXT = '''
 seed: 8
@@ -98,7 +101,7 @@ def test_more_runs_keep_the_first_ones(once, tmp_path):
 def test_rows_are_those_of_the_loop(once):
     campaign, _ = open_folder(once[0])
     for name, table in results.tables(once[0] / RESULTS):
-        alone = fly(campaign.condition(name).scenario.loop(), [17])
+        alone = fly(campaign.condition(name).scenario, [17])
         verdict = alone.verdict
         assert table['reason'][17] == verdict.reason[0]
         np.testing.assert_array_equal(table['duration_s'][17], verdict.duration[0])
@@ -125,7 +128,7 @@ def test_terminal_position_fits_the_offset_and_failures_have_time_and_place(once
 
 def test_columns_of_the_table_are_those_that_the_mission_orders(once):
     for _, table in results.tables(once[0] / RESULTS):
-        assert list(table) == list(lunar_columns.ORDER)
+        assert list(table) == list(columns.ORDER)
         assert [results.kind_of(*column) for column in table.items()] == (
             ['i8', '?', 'U'] + ['f8']*14 + ['i8']*6)
 
@@ -248,6 +251,23 @@ def test_worker_with_other_sources_is_refused(once):
     campaign, _ = open_folder(once[0])
     with pytest.raises(CampaignError, match='a worker has another version'):
         engine.fly_together([(campaign.conditions[0].scenario, Stretch(0, 0, 1))], ('x',), 1)
+
+
+def test_a_scenario_travels_light_and_arrives_as_it_was():
+    campaign = parse_campaign(TEXT, 'small')
+    for condition in campaign.conditions:
+        sent = pickle.dumps(condition.scenario)
+        arrived = pickle.loads(sent)
+        assert len(sent) < 3000                 # names and values, nothing that is built of them
+        assert arrived == condition.scenario and arrived.mission is campaign.mission
+        assert arrived.resolved() == condition.scenario.resolved()
+
+
+def test_sources_of_the_mission_count(monkeypatch):
+    campaign = parse_campaign(TEXT, 'small')
+    own = replace(campaign.mission, name='other', diagram='statistics:diagram')
+    assert engine.code_hash(campaign.mission) != engine.code_hash(own)
+    assert engine.software(campaign.mission)[1:] == tuple(engine.versions().values())
 
 
 def test_conditions_share_draws_only_where_they_are_the_same():

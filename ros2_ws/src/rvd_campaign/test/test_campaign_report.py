@@ -13,13 +13,16 @@ import pytest
 
 from rvd_campaign.campaign import results
 from rvd_campaign.campaign.engine import fly_campaign, RESULTS, start, Workers
-from rvd_campaign.campaign.figures import (
-    FIGURES, flown_again, NEEDED, Results)
+from rvd_campaign.campaign.figures import figures_of, needed, Results
 from rvd_campaign.campaign.progress import Progress
 from rvd_campaign.campaign.report import page, write_campaign_report
 from rvd_campaign.campaign.spec import CampaignError, parse_campaign
 from rvd_campaign.campaign.summary import finish, in_words, SUMMARY
+from rvd_dynamics.diagram.mission import find
 from rvd_dynamics.recording.drawing import STYLE, svg
+from rvd_missions.lunar_approach.campaign_figures import flown_again
+
+FIGURES = figures_of(find('lunar_approach'))
 
 TEXT = '''
 # Two <conditions> & a grid
@@ -55,8 +58,9 @@ def folder(tmp_path_factory):
 @pytest.fixture(scope='module')
 def made(folder):
     summary = json.loads((folder / SUMMARY).read_text())
-    tables = dict(results.tables(folder / RESULTS, NEEDED))
-    return Results(parse_campaign(TEXT.lstrip(), 'pages'), summary, tables)
+    campaign = parse_campaign(TEXT.lstrip(), 'pages')
+    tables = dict(results.tables(folder / RESULTS, needed(campaign)))
+    return Results(campaign, summary, tables)
 
 
 @pytest.fixture(scope='module')
@@ -83,8 +87,9 @@ def test_ids_of_figures_do_not_meet(html):
 
 def test_page_shows_every_figure_and_table(html):
     assert html.count('<svg') == 6
-    for title, _ in FIGURES.values():
-        assert title in html
+    assert list(FIGURES) == ['success', 'curve', 'replicates', 'landing', 'tracks', 'failures']
+    for figure in FIGURES.values():
+        assert figure.title in html
     for words in ('Differences', 'How runs ended', 'Who decided', 'How to reproduce',
                   'Campaign file', 'paper', '0.1444'):
         assert words in html
@@ -117,7 +122,7 @@ def test_terminal_table_marks_what_was_fitted(made):
 def test_tracks_are_those_of_the_table(made):
     condition = made.campaign.conditions[-1]
     table = made.tables[condition.name]
-    states = flown_again(condition, table)
+    states = flown_again(condition.scenario, table)
     assert states.shape[1] == min(table['success'].sum(), 40)
     for run, track in enumerate(states.transpose(1, 0, 2)):
         last = track[np.isfinite(track[:, 0])][-1]
@@ -128,14 +133,14 @@ def test_tracks_are_those_of_the_table(made):
 
 def test_figures_hold_the_runs_they_say(made):
     with matplotlib.rc_context(STYLE):
-        figure, _ = FIGURES['landing'][1](made)
+        figure, _ = FIGURES['landing'].draw(made)
         axes = figure.axes[0]
         shown = axes.lines[0].get_xydata()
         table = made.tables[made.campaign.conditions[0].name]
         good = table['success']
         np.testing.assert_array_equal(shown, np.column_stack([table['y_m'], table['z_m']])[good])
         assert (np.hypot(*shown.T) < 0.3).all()
-        figure, _ = FIGURES['curve'][1](made)
+        figure, _ = FIGURES['curve'].draw(made)
         np.testing.assert_allclose(
             figure.axes[0].lines[0].get_ydata(),
             [made.rows[f'manual,loop_delay_s={d}']['success_rate'] for d in (4, 10)])
@@ -158,7 +163,7 @@ def test_a_campaign_where_nobody_succeeds_has_a_page(tmp_path):
     summary = finish(campaign, tmp_path)
     assert summary['conditions'][0]['means']['offset_m'] is None
     assert 'not a prediction' in page(Results(
-        campaign, summary, dict(results.tables(tmp_path / RESULTS, NEEDED))))
+        campaign, summary, dict(results.tables(tmp_path / RESULTS, needed(campaign)))))
 
 
 def test_no_results_no_page(tmp_path):
@@ -169,5 +174,5 @@ def test_no_results_no_page(tmp_path):
 
 def test_drawing_twice_gives_the_same_bytes(made):
     def once():
-        return svg('success', lambda: FIGURES['success'][1](made)[0])
+        return svg('success', lambda: FIGURES['success'].draw(made)[0])
     assert once() == once()

@@ -34,10 +34,11 @@ grid:
     assert last.at == {'loop_delay_s': 10, 'command_blender.eq25.eta': 0.9}
     assert last.scenario.settings('command_blender').eq25.eta == 0.9
     assert last.scenario.settings('auto_controller').law == 'barrier'
-    assert last.scenario.mission.seed == 4
-    mission = made.conditions[0].scenario.mission
-    assert mission.mode == 'manual'
-    assert (mission.forward_delay_s, mission.back_delay_s) == (0.0, 0.5)
+    assert last.scenario.run.seed == 4
+    first = made.conditions[0].scenario
+    assert first.part('operation').mode == 'manual'
+    legs = first.part('leg_params')
+    assert (legs.forward_delay_s, legs.back_delay_s) == (0.0, 0.5)
 
 
 def test_labelled_axis_changes_several_keys_at_once():
@@ -68,7 +69,7 @@ conditions:
 ''', 'x').conditions[0].scenario
     assert made.settings('operator_model').skill_gain == PILOTS['C'].skill_gain
     assert made.settings('operator_model').display is False
-    assert made.loop().law.lambda_1_m3_s2 == 3e-4
+    assert made.part('law').lambda_1_m3_s2 == 3e-4
 
 
 def test_short_words_come_before_sections_whatever_their_order():
@@ -139,7 +140,13 @@ BAD = {
     'unknown condition': ('conditions: {a: {}, b: {}}\ncompare: [[a, c]]', "no condition 'c'"),
     'own seed': ('set: {/**: {seed: 3}}', 'seed belongs to the campaign'),
     'wall clock': ('set: {/**: {operator: joy, joy_input: held, pace: realtime}}',
-                   'operator must be one of model, replay, none'),
+                   'condition all: operator joy: command_blender reads /joy from joy_node, which '
+                   'takes a graph and a wall clock'),
+    'own mission': ('set: {/**: {mission: lunar_approach}}', 'mission belongs to the campaign'),
+    'own processes': ('conditions: {a: {/**: {processes: one}}}',
+                      'condition a: processes belongs to the campaign'),
+    'a pilot that is a list': ('set: {pilot: [A]}', "no pilot ['A']"),
+    'no tape': ('set: {/**: {operator: replay}}', 'operator replay needs a tape'),
     'empty axis': ('grid: {loop_delay_s: []}', 'must be a list of values'),
     'a million cells': ('grid: {command_blender.eq25.eta: [%s], loop_delay_s: [%s]}' % (
         ', '.join(['0.5']*1000), ', '.join(['1']*1000)),

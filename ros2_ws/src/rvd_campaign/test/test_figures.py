@@ -13,13 +13,19 @@ import small_run
 from small_run import HOLD, LAST, write_run
 
 from rvd_campaign.report.figures import figures_of, LINKS
+from rvd_campaign.report.run import page
 from rvd_dynamics.diagram import in_process
+from rvd_dynamics.diagram.block import Block, now, WATCH
 from rvd_dynamics.diagram.control import Change
+from rvd_dynamics.diagram.diagram import Diagram
 from rvd_dynamics.diagram.scenario import parse
+from rvd_dynamics.diagram.signal import Part, Signal
 from rvd_dynamics.recording.drawing import png, svg
 from rvd_dynamics.recording.history import everything, of_history
 from rvd_dynamics.recording.reader import read
+from rvd_missions.lunar_approach.diagram import diagram as lunar_diagram
 from rvd_missions.lunar_approach.figures import FIGURES, prediction_error
+from rvd_missions.lunar_approach.signals import TRUTH
 
 ALL = {**FIGURES, 'links': LINKS}
 SHORT = '''
@@ -208,3 +214,42 @@ def test_the_stick_of_a_tape_is_recorded_as_the_tape_has_it(tmp_path):
     assert_array_equal(sticks.axes[3], np.float32([0.4, -0.9, 0.0, 0.0, 0.2]))
     assert_array_equal(sticks.buttons[3], [0, 1, 0, 0, 1])
     assert_array_equal(sticks.axes[4], np.zeros(5))
+
+
+def test_a_report_can_be_made_of_a_history(history):
+    html = page(history)
+    assert html.count('<svg') == len(ALL) and 'class="warning"' not in html
+    assert 'Failed: did not reach the docking plane in time after 40.0 s' in html
+    assert 'pilot and automatic' in html and 'Steps without a command' not in html
+
+
+OTHER = Signal('/watch/other', (Part('place', (3,), 'm'), Part('done', (), '', '?'),
+                                Part('spread', (2, 2), optional=True),
+                                Part('code', (), '', 'u1', optional=True)))
+
+
+class Other:
+    """Looks on, every fourth step, and says so in a signal without a message of its own."""
+
+    def step(self, k, truth):
+        return {'other': OTHER(place=truth.state[..., :3], done=truth.final)}
+
+
+def with_another(scenario):
+    """Return the diagram of the approach and a slow watcher."""
+    d = lunar_diagram(scenario)
+    other = Block('other', f'{__name__}:Other', WATCH, reads={'truth': now(TRUTH)},
+                  writes={'other': OTHER}, period=4)
+    return Diagram((*d.blocks, other), d.plant, d.guard, d.thrust)
+
+
+def test_a_slow_signal_without_a_message_of_its_own_is_a_table_of_its_firings(scenario):
+    mission = replace(scenario.mission, diagram=f'{__name__}:with_another')
+    other = replace(scenario, mission=mission, _settings={}, _parts={})
+    run = of_history(other, in_process.fly(other, [0], record=True))
+    table = run.of(OTHER)
+    assert_array_equal(table.step, range(0, 81, 4))
+    assert_array_equal(table['place'], run.of(TRUTH).state[::4, :3])
+    assert_array_equal(table['done'], [0.0]*20 + [1.0])
+    assert np.isnan(table['spread']).all() and table['spread'].shape == (21, 2, 2)
+    assert 'code' not in table.parts                # nobody knows it, and no number says so

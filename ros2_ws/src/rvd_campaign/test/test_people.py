@@ -112,3 +112,10 @@ def test_a_session_without_a_rated_flight_is_refused(tmp_path):
     (tmp_path / 'session.json').write_text('{"title": "t", "conditions": {}}')
     with pytest.raises(ValueError, match='no rated flight'):
         write_session_report(tmp_path)
+
+
+def test_a_mission_that_is_not_installed_has_its_numbers_without_words(session):
+    for file in session.glob('P*/*/verdict.json'):
+        file.write_text(json.dumps({**json.loads(file.read_text()), 'mission': 'of_tomorrow'}))
+    page = write_session_report(session).read_text()
+    assert '<th>offset_m</th>' in page and '<td>0.1500</td>' in page

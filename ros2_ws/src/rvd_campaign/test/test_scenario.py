@@ -8,8 +8,9 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from rvd_campaign import catalogue
-from rvd_campaign.scenario import load, parse, Scenario, ScenarioError, SETTINGS
 from rvd_dynamics.diagram.params import leaves
+from rvd_dynamics.diagram.scenario import (
+    load, parse, Scenario, ScenarioError, sections_of)
 
 SHIPPED = sorted((catalogue.root() / 'scenarios').glob('*.yaml'))
 
@@ -28,7 +29,7 @@ def refusal(text: str) -> str:
 
 @pytest.mark.parametrize('path', SHIPPED, ids=lambda p: p.stem)
 def test_shipped_scenarios_load_and_begin_with_what_they_are(path):
-    assert load(path).mission.step_s > 0.0
+    assert load(path).run.step_s > 0.0
     assert path.read_text().startswith('# ')
 
 
@@ -37,8 +38,9 @@ def test_resolved_scenario_says_the_same_and_leaves_nothing_to_default(path):
     scenario = load(path)
     again = parse(scenario.dump(), scenario.name)
     assert again.resolved() == scenario.resolved()
-    for section, settings in SETTINGS.items():
-        keys = {key for key, _ in leaves(settings)} - {'nodes', 'bag_dir'}
+    for section, groups in sections_of(scenario.mission).items():
+        keys = {prefix + key for prefix, settings in groups for key, _ in leaves(settings)}
+        keys -= {'nodes', 'bag_dir'}
         assert keys <= set(again.sections.get(section, {}))
 
 
@@ -53,7 +55,7 @@ def test_whole_numbers_and_exponents_are_taken_as_numbers():
     text = ('/**: {ros__parameters: {step_s: 1}}\n'
             'spacecraft_dynamics: {ros__parameters: {execution_noise_fraction: 1e-2}}')
     scenario = parse(text, 'trial')
-    assert scenario.mission.step_s == 1.0
+    assert scenario.run.step_s == 1.0
     assert scenario.settings('spacecraft_dynamics').execution_noise_fraction == 0.01
 
 
@@ -135,6 +137,6 @@ def test_any_text_is_a_scenario_or_one_refusal(text):
 
 def test_with_values_checks_what_it_sets():
     scenario = parse(shared(), 'trial')
-    assert scenario.with_values('/**', corridor__half_angle_deg=4.0).mission.corridor.alpha > 0.06
+    assert scenario.with_values('/**', corridor__half_angle_deg=4.0).part('cone').alpha > 0.06
     with pytest.raises(ScenarioError, match='modus'):
         scenario.with_values('/**', modus='auto')

@@ -6,4 +6,4 @@ What a scenario may change (orbit, corridor, thrust) is a setting and stands wit
 
 NS_PER_S = 1_000_000_000        # [ns/s]
 MU_MOON = 4902.800e9            # [m^3/s^2] Zhang, Li, Tang 2014, Table 1; GRGM1200A: 4902.8001e9
-NS_PER_S = 1_000_000_000         # instants are whole nanoseconds, durations seconds
+RADIUS_MOON = 1737.4e3          # [m] mean radius, IAU 2015

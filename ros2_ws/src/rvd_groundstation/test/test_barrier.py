@@ -4,36 +4,33 @@ from dataclasses import replace
 from decimal import Decimal
 from math import copysign, inf, pi, sqrt, tan
 import re
-import sys
 
 from hypothesis import given, settings, strategies as st
 import numpy as np
 from numpy.testing import assert_array_equal
+from paper import Paper
 import pytest
 
-from rvd_dynamics.geometry.cone import radius, signed_distance
-from rvd_dynamics.mission import CorridorParams, Mission, ThrustParams
+from rvd_dynamics.geometry.cone import Cone, radius, signed_distance
 from rvd_dynamics.motion import cw
-from rvd_dynamics.diagram.ros.params import settings_of
-from rvd_dynamics.commands.levels import acceleration
+from rvd_dynamics.commands.levels import acceleration, ThrustParams
 from rvd_groundstation.guidance.barrier import Barrier, VIOLATION_WEIGHT
-from rvd_groundstation.settings import BlenderParams
-from rvd_groundstation.sharing import decide, Eq25, Filter
+from rvd_groundstation.sharing import decide, Eq25, StickFilter
 
-MISSION = Mission()
+PAPER = Paper()
 LATERAL = [-0.02, -0.01, -0.005, 0.0, 0.005, 0.01, 0.02]       # Table 2
 ALONG = [-0.03, -0.02, -0.01, 0.0, 0.01, 0.02, 0.03]
 OMEGA = 8.2071e-4               # [rad/s] to the five digits of the paper
-WIDE = Mission(corridor=CorridorParams(half_angle_deg=6.0, docking_radius_m=0.2),
+WIDE = Paper(cone=Cone(half_angle_deg=6.0, docking_radius_m=0.2),
                thrust=ThrustParams(lateral_m_s2=(0.008, 0.02, 0.03)))
-SLIM = Mission(corridor=CorridorParams(half_angle_deg=2.0, docking_radius_m=0.5), step_s=0.25,
+SLIM = Paper(cone=Cone(half_angle_deg=2.0, docking_radius_m=0.5), step_s=0.25,
                thrust=ThrustParams(lateral_m_s2=(0.004, 0.006, 0.015)))
 
 
-def states(rows, seed=0, mission=MISSION, fill=1.2):
+def states(rows, seed=0, paper=PAPER, fill=1.2):
     rng = np.random.default_rng(seed)
     x = rng.uniform(-32.0, 0.5, rows)
-    angle, rho = rng.uniform(0, 2*pi, rows), radius(x, mission.corridor)*rng.uniform(0, fill, rows)
+    angle, rho = rng.uniform(0, 2*pi, rows), radius(x, paper.cone)*rng.uniform(0, fill, rows)
     return np.column_stack([x, rho*np.cos(angle), rho*np.sin(angle),
                             rng.uniform(0.12, 0.31, rows), rng.normal(0, 0.03, (rows, 2))])
 
@@ -42,7 +39,7 @@ def sticks(rows, seed=0):
     return np.random.default_rng(seed).integers(-3, 4, (rows, 3), dtype=np.int8)
 
 
-# The text of the law, number by number, for the paper's mission.
+# The text of the law, number by number, for the paper's approach.
 
 def violation(x, rate, p, v, a, g, dt=0.5):
     closing = max(rate, 0.05)
@@ -77,7 +74,7 @@ def along(rate, pilot):
 def test_wants_what_the_text_says():
     state, stick = states(4000, 1), sticks(4000, 2)
     state[:800, 3] -= 0.2                                   # some stand still or go back
-    wanted = Barrier(MISSION).wanted(state, stick)
+    wanted = PAPER.law(Barrier).outcome(state, stick)
     acted = 0
     for (x, y, z, rate, vy, vz), pilot, got in zip(state.tolist(), stick.tolist(),
                                                    wanted.tolist()):
@@ -92,87 +89,87 @@ def test_wants_what_the_text_says():
 
 # Physics
 
-@pytest.mark.parametrize('mission', [MISSION, WIDE, SLIM], ids=['paper', 'wide', 'slim'])
-def test_no_other_level_violates_less(mission):
-    law, state, stick = Barrier(mission), states(3000, 3, mission), sticks(3000, 4)
+@pytest.mark.parametrize('paper', [PAPER, WIDE, SLIM], ids=['paper', 'wide', 'slim'])
+def test_no_other_level_violates_less(paper):
+    law, state, stick = paper.law(Barrier), states(3000, 3, paper), sticks(3000, 4)
     violates = law.violation(np.ascontiguousarray(state.T))
-    wanted = law.wanted(state, stick).T[1:]
+    wanted = law.outcome(state, stick).T[1:]
     chosen = np.take_along_axis(violates, wanted[None] + 3, axis=0)[0]
-    dearest = 2.0*mission.thrust.lateral_m_s2[-1]           # what obedience can be worth
+    dearest = 2.0*paper.thrust.lateral_m_s2[-1]             # what obedience can be worth
     assert np.all(chosen <= violates.min(axis=0) + 1.01*dearest/VIOLATION_WEIGHT)
 
 
 def test_pilot_is_left_alone_where_his_level_violates_nothing():
-    law, state, stick = Barrier(MISSION), states(3000, 5, fill=0.5), sticks(3000, 6)
+    law, state, stick = PAPER.law(Barrier), states(3000, 5, fill=0.5), sticks(3000, 6)
     violates = law.violation(np.ascontiguousarray(state.T))
     free = np.take_along_axis(violates, stick.T[None, 1:] + 3, axis=0)[0] <= 0.0
     assert 0.3 < free.mean() < 0.99
-    assert_array_equal(law.wanted(state, stick).T[1:][free], stick.T[1:][free])
+    assert_array_equal(law.outcome(state, stick).T[1:][free], stick.T[1:][free])
 
 
 @pytest.mark.parametrize('axis', [1, 2])
 def test_without_coupling_a_mirror_image_gets_the_mirror_image(axis):
-    law, state, stick = Barrier(MISSION, coupling='none'), states(3000, 7), sticks(3000, 8)
+    law, state, stick = PAPER.law(Barrier, coupling='none'), states(3000, 7), sticks(3000, 8)
     image, image_stick = state.copy(), stick.copy()
     image[:, [axis, axis + 3]] *= -1
     image_stick[:, axis] *= -1
-    expected = law.wanted(state, stick)
+    expected = law.outcome(state, stick)
     expected[:, axis] *= -1
-    assert_array_equal(law.wanted(image, image_stick), expected)
+    assert_array_equal(law.outcome(image, image_stick), expected)
 
 
 def test_without_coupling_y_and_z_are_alike():
-    law, state, stick = Barrier(MISSION, coupling='none'), states(3000, 9), sticks(3000, 10)
+    law, state, stick = PAPER.law(Barrier, coupling='none'), states(3000, 9), sticks(3000, 10)
     swap, swap_sticks = [0, 2, 1, 3, 5, 4], [0, 2, 1]
-    assert_array_equal(law.wanted(state[:, swap], stick[:, swap_sticks]),
-                       law.wanted(state, stick)[:, swap_sticks])
+    assert_array_equal(law.outcome(state[:, swap], stick[:, swap_sticks]),
+                       law.outcome(state, stick)[:, swap_sticks])
 
 
 def test_the_coriolis_push_is_met_early():
     """2 omega x' pushes outwards on +y only: rest just inside the bound is not safe there."""
     station, x = np.zeros((400, 6)), -15.0
-    bound = 0.75*float(radius(x, MISSION.corridor))/sqrt(2)
+    bound = 0.75*float(radius(x, PAPER.cone))/sqrt(2)
     station[:, 0], station[:, 3] = x, 0.25
     station[:, 1] = np.linspace(0.7, 1.0, 400)*bound
-    above = Barrier(MISSION).wanted(station, np.zeros((400, 3), dtype=np.int8))[:, 1]
+    above = PAPER.law(Barrier).outcome(station, np.zeros((400, 3), dtype=np.int8))[:, 1]
     station[:, 1] *= -1
-    below = Barrier(MISSION).wanted(station, np.zeros((400, 3), dtype=np.int8))[:, 1]
+    below = PAPER.law(Barrier).outcome(station, np.zeros((400, 3), dtype=np.int8))[:, 1]
     assert np.argmax(above < 0) < np.argmax(below > 0)
 
 
 def test_coupling_all_is_the_free_acceleration_of_relative_motion():
-    state, n, dt = states(200, 19), MISSION.orbit.mean_motion, 1e-2
+    state, n, dt = states(200, 19), PAPER.orbit.mean_motion, 1e-2
     there, back = cw.propagate(state, n, dt), cw.propagate(state, n, -dt)
     free = (there - back)[:, 4:6] / (2.0*dt)
     state[:, 4:6] = 0.0                                     # z'' = -n^2 z, y'' = 2n x' + 3n^2 y
-    drift = Barrier(MISSION, coupling='all')._ahead(np.ascontiguousarray(state.T)).drift
+    drift = PAPER.law(Barrier, coupling='all')._ahead(np.ascontiguousarray(state.T)).drift
     np.testing.assert_allclose(drift.T, free, rtol=0.0, atol=1e-11)
 
 
 @pytest.mark.parametrize('coupling', ['closing_rate', 'all'])
-@pytest.mark.parametrize('mission', [MISSION, WIDE, SLIM], ids=['paper', 'wide', 'slim'])
+@pytest.mark.parametrize('paper', [PAPER, WIDE, SLIM], ids=['paper', 'wide', 'slim'])
 @pytest.mark.parametrize('pilot', ['outward', 'random', 'forward'])
-def test_no_pilot_gets_out_of_the_corridor(mission, coupling, pilot):
+def test_no_pilot_gets_out_of_the_corridor(paper, coupling, pilot):
     """True state, no delay, no noise; starts from which some level still violates nothing."""
-    law = Barrier(mission, sharing=Filter(), coupling=coupling)
-    rng, n = np.random.default_rng(11), mission.orbit.mean_motion
-    state = states(1500, 12, mission, fill=0.7)
+    law = paper.law(Barrier, sharing=StickFilter(), coupling=coupling)
+    rng, n = np.random.default_rng(11), paper.orbit.mean_motion
+    state = states(1500, 12, paper, fill=0.7)
     state[:, 3] = 0.25
     state = state[(state[:, 0] < -2.0) & (law.violation(state.T).min(axis=0) <= 0.0).all(axis=0)]
     assert len(state) > 200
-    phi, gamma = cw.transition(n, mission.step_s), cw.input_matrix(n, mission.step_s)
+    phi, gamma = cw.transition(n, paper.step_s), cw.input_matrix(n, paper.step_s)
     docked = np.zeros(len(state), dtype=bool)
-    for _ in range(int(260/mission.step_s)):
+    for _ in range(int(260/paper.step_s)):
         stick = rng.integers(-3, 4, (len(state), 3), dtype=np.int8)
         if pilot == 'outward':
             stick[:, 1:] = 3*np.sign(state[:, 1:3])
         elif pilot == 'forward':
             stick[:, 0] = 3
-        levels = law.levels(state, stick)
-        state = cw.step(state, acceleration(levels, mission.thrust), phi, gamma)
+        levels = paper.levels(law, state, stick)
+        state = cw.step(state, acceleration(levels, paper.thrust), phi, gamma)
         docked |= state[:, 0] >= 0.0
         flying = state[~docked]
-        assert np.all(signed_distance(flying[:, :3], mission.corridor) > 0.0)
+        assert np.all(signed_distance(flying[:, :3], paper.cone) > 0.0)
         assert np.all((flying[:, 3] > 0.13) & (flying[:, 3] < 0.3))
         if docked.all():
             break
@@ -182,10 +179,10 @@ def test_no_pilot_gets_out_of_the_corridor(mission, coupling, pilot):
 # Inside a blend, and without a pilot
 
 @pytest.mark.parametrize('sharing', [Eq25(), Eq25(eta=Decimal('0.2')), Eq25(eta=0.5), Eq25(eta=1.0),
-                                     Eq25(rounding='truncate'), Filter()], ids=repr)
+                                     Eq25(rounding='truncate'), StickFilter()], ids=repr)
 def test_the_blend_comes_as_near_as_it_can_to_what_is_wanted(sharing):
-    law, state, stick = Barrier(MISSION, sharing=sharing), states(4000, 13), sticks(4000, 14)
-    wanted, auto = law.wanted(state, stick), law.levels(state, stick)
+    law, state, stick = PAPER.law(Barrier, sharing=sharing), states(4000, 13), sticks(4000, 14)
+    wanted, auto = law.outcome(state, stick), PAPER.levels(law, state, stick)
     out = decide('shared', sharing, stick, True, auto, True).levels.astype(int)
     for man, want, got, sent in zip(*(a.ravel().tolist() for a in (stick, wanted, auto, out))):
         ways = {a: abs(int(sharing.share([man], [a])[0]) - want) for a in range(-3, 4)}
@@ -197,25 +194,26 @@ def test_the_blend_comes_as_near_as_it_can_to_what_is_wanted(sharing):
 
 
 def test_as_a_filter_it_hands_over_the_command_itself():
-    law, state, stick = Barrier(MISSION, sharing=Filter()), states(500, 15), sticks(500, 16)
-    assert_array_equal(law.levels(state, stick), law.wanted(state, stick))
+    law = PAPER.law(Barrier, sharing=StickFilter())
+    state, stick = states(500, 15), sticks(500, 16)
+    assert_array_equal(PAPER.levels(law, state, stick), law.outcome(state, stick))
 
 
-@pytest.mark.parametrize('sharing', [Eq25(), Filter()])
+@pytest.mark.parametrize('sharing', [Eq25(), StickFilter()])
 def test_without_a_stick_the_pilot_is_neutral_and_nothing_is_blended(sharing):
     state, neutral = states(500, 17), np.zeros((500, 3), dtype=np.int8)
-    expected = Barrier(MISSION).wanted(state, neutral)
+    expected = PAPER.law(Barrier).outcome(state, neutral)
     assert np.abs(expected).max() > 1
-    assert_array_equal(Barrier(MISSION, sharing=sharing).levels(state, None), expected)
-    auto = Barrier(replace(MISSION, mode='auto'), sharing=sharing)
-    assert_array_equal(auto.levels(state, sticks(500, 18)), expected)
+    assert_array_equal(PAPER.levels(PAPER.law(Barrier, sharing=sharing), state, None), expected)
+    auto = replace(PAPER, mode='auto').law(Barrier, sharing=sharing)
+    assert_array_equal(PAPER.levels(auto, state, sticks(500, 18)), expected)
 
 
 @settings(deadline=None, max_examples=200)
 @given(st.lists(st.floats(-1e6, 1e6), min_size=6, max_size=6),
        st.lists(st.integers(-3, 3), min_size=3, max_size=3))
 def test_any_finite_state_gets_levels(state, stick):
-    got = Barrier(MISSION).levels(state, np.array(stick, dtype=np.int8))
+    got = PAPER.levels(PAPER.law(Barrier), state, np.array(stick, dtype=np.int8))
     assert got.shape == (3,) and got.dtype == np.int8 and np.abs(got).max() <= 3
 
 
@@ -232,21 +230,4 @@ def test_any_finite_state_gets_levels(state, stick):
     ('force_closing_m_s', (0.1,), 'force_closing_m_s must be 2 numbers, got [0.1]')])
 def test_impossible_settings_are_refused_by_name(key, bad, said):
     with pytest.raises(ValueError, match=f'^{re.escape(said)}$'):
-        Barrier(MISSION, **{key: bad})
-
-
-# How a node of its own learns what the blender does
-
-@pytest.mark.parametrize('text, expected', [
-    ('', Eq25()),
-    ('/**: {ros__parameters: {step_s: 0.5}}', Eq25()),
-    ('command_blender: {ros__parameters: {sharing: filter}}', Filter()),
-    ('command_blender: {ros__parameters: {sharing: eq25, eq25: {eta: 0.45}}}', Eq25(eta=0.45)),
-    ('/command_blender: {ros__parameters: {eq25: {eta: 1}, use_sim_time: false}}', Eq25(eta=1.0)),
-    ('auto_controller: {ros__parameters: {sharing: filter}}', Eq25())])
-def test_settings_of_another_node_come_from_the_file_of_the_run(text, expected, tmp_path,
-                                                                monkeypatch):
-    path = tmp_path / 'scenario.yaml'
-    path.write_text(text)
-    monkeypatch.setattr(sys, 'argv', ['auto_controller', '--ros-args', '--params-file', str(path)])
-    assert settings_of('command_blender', BlenderParams).selected == expected
+        Barrier(**{key: bad})

@@ -95,17 +95,22 @@ def test_a_silent_pilot_loses_the_lease_and_one_that_speaks_keeps_it():
 
 # -- what a page may say ------------------------------------------------------------------
 
-def frame(kind=1, held=1, sequence=7, x=0.0, y=0.0, z=0.0):
-    return struct.pack('<BBHfffd', kind, held, sequence, x, y, z, 0.0)
+AXES = ('x', 'y', 'z', 'a', 'b', 'c')           # as many as a sample has, whatever they push
+
+
+def frame(kind=1, held=1, sequence=7, **deflection):
+    at = [deflection.get(axis, 0.0) for axis in AXES]
+    return struct.pack('<BBH6fd', kind, held, sequence, *at, 0.0)
 
 
 def test_a_stick_sample_is_read_as_it_was_sent():
-    stick = stick_of(frame(x=1.0, y=-0.5))
-    assert (stick.held, stick.sequence, stick.deflection) == (True, 7, (1.0, -0.5, 0.0))
+    stick = stick_of(frame(x=1.0, y=-0.5, c=0.25))
+    assert (stick.held, stick.sequence) == (True, 7)
+    assert stick.deflection == (1.0, -0.5, 0.0, 0.0, 0.0, 0.25)
 
 
 @pytest.mark.parametrize('value', [math.nan, math.inf, -math.inf, 1.001, -2.0, 3e38])
-@pytest.mark.parametrize('axis', ['x', 'y', 'z'])
+@pytest.mark.parametrize('axis', AXES)
 def test_o2_o3_a_deflection_that_is_none_refuses_the_whole_sample(axis, value):
     with pytest.raises(Refused, match='RANGE'):
         stick_of(frame(**{axis: value}))

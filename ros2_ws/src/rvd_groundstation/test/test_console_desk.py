@@ -36,7 +36,7 @@ def test_volunteers_are_dealt_different_orders_and_paired_seeds():
 def flown(desk, folder, reason='docked'):
     order = desk.do({'act': 'fly'})
     (folder / order['out']).mkdir(parents=True)
-    desk.flown({'reason': reason})
+    desk.flown({'reason': reason, 'words': 'Docked', 'success': True})
     assert desk.view()['stage'] == 'flying'     # its folder is still being written
     desk.ended(order['out'])
     return folder / order['out']

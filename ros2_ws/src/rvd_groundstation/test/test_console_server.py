@@ -9,12 +9,17 @@ import struct
 import aiohttp
 import pytest
 
-from rvd_dynamics.mission import Mission
+from rvd_dynamics.diagram.display import as_data
+from rvd_dynamics.diagram.scenario import parse
 from rvd_groundstation.console import server
 from rvd_groundstation.console.access import CONTENT_POLICY
+from rvd_groundstation.console.decode import Sample
 from rvd_groundstation.console.hub import Hub
+from rvd_groundstation.console.protocol import encode
+from rvd_groundstation.console.provider import display_of
 from rvd_groundstation.console.server import Address, Server
 
+SCENARIO = parse('/**: {ros__parameters: {}}', 'test')
 TLS = Path(__file__).parent / 'tls'         # made for these tests, trusted by nobody else
 
 
@@ -26,7 +31,7 @@ class Graph:
 
     def joy(self, stick):
         self.sticks.append(stick)
-        return [round(3 * a) for a in stick.deflection]
+        return [round(3 * a) for a in stick.deflection[:3]]
 
     def control(self, action, mode, reply):
         self.asked.append((action, mode))
@@ -47,7 +52,7 @@ class House:
         self.server = Server(self.hub, self.address, self.runs)
         self.base = (await self.server.start()).split('/#')[0]
         self.session = aiohttp.ClientSession()
-        self.hub.begin('run', Mission(), self.graph)
+        self.hub.begin('run', display_of(SCENARIO), self.graph)
         return self
 
     async def __aexit__(self, *_):
@@ -62,7 +67,13 @@ class House:
 
 
 def stick(held=1, x=0.0, sequence=0):
-    return struct.pack('<BBHfffd', 1, held, sequence, x, 0.0, 0.0, 0.0)
+    return struct.pack('<BBH6fd', 1, held, sequence, x, *[0.0] * 6)
+
+
+def command(step, sequence, value=(0, 0, 0), by=0, weight=1.0):
+    return Sample(step, 0.5 * step, True, {
+        'value': list(value), 'kind': 0, 'by': by, 'weight': weight, 'reason': 0,
+        'sequence': sequence})
 
 
 async def ask(socket, **wish):
@@ -102,6 +113,17 @@ def test_answers_carry_the_policy_and_files_outside_are_not_served():
     run(work())
 
 
+def test_a_page_knows_what_it_will_show_before_the_first_run():
+    shown = as_data(display_of(SCENARIO).display)
+
+    async def work():
+        async with House(display=shown) as house, house.socket() as page:
+            hello = json.loads((await page.receive(5.0)).data)
+            assert hello['type'] == 'hello'
+            assert hello['display'] == json.loads(encode(shown))
+    run(work())
+
+
 def test_only_the_lease_flies_and_abort_needs_none():
     async def work():
         async with House() as house, house.socket() as pilot, house.socket() as other:
@@ -121,7 +143,7 @@ def test_who_takes_the_stick_hears_the_whole_ladder():
     """Changes are told to pilot and watchers apart, so a watcher may have missed the pilot's."""
     async def work():
         async with House() as house, house.socket() as page:
-            house.hub.post('command', 0, 7, 0, [1, 0, 0], 0, 1.0, 0)
+            house.hub.post('command', command(0, 7, (1, 0, 0)))
             await ask(page, do='ping')
             await asyncio.sleep(0.1)            # the rung has gone out by now
             await page.send_str(json.dumps({'id': 5, 'do': 'take'}))
@@ -255,7 +277,7 @@ def test_a_crowd_is_served_in_turns_and_each_page_in_order():
 
             async def fly():
                 for k in range(60):             # a step every 20 ms
-                    house.hub.post('command', k, k, 0, [0, 0, 0], 0, 1.0, 0)
+                    house.hub.post('command', command(k, k))
                     await asyncio.sleep(0.02)
             flying = asyncio.create_task(fly())
             heard = await asyncio.gather(*(frames(page, 1.5) for page in (pilot, *crowd)))
@@ -399,12 +421,12 @@ def test_pilot_and_watchers_get_frames_and_a_late_page_gets_the_run_first():
         async with House() as house, house.socket() as pilot, house.socket() as other:
             await ask(pilot, do='take')
             for k in range(30):
-                house.hub.post('command', k, k + 1, 0, [1, 0, 0], 3, 0.7, 0)
+                house.hub.post('command', command(k, k + 1, (1, 0, 0), 3, 0.7))
                 await asyncio.sleep(0.02)
             assert 'run' in await frames(other, 3)
             await frames(pilot, 8)
             async with house.socket() as late:
-                house.hub.post('command', 30, 31, 0, [1, 0, 0], 3, 0.7, 0)
+                house.hub.post('command', command(30, 31, (1, 0, 0), 3, 0.7))
                 types = await frames(late, 1)
                 assert types.index('run') < types.index('frame')
     run(work())

@@ -5,15 +5,15 @@ from dataclasses import replace
 from hypothesis import given, strategies as st
 import numpy as np
 from numpy.testing import assert_allclose, assert_array_equal
+from paper import Paper
 import pytest
 
 from rvd_dynamics.geometry.cone import control_boundary, nearest_point, radius, signed_distance
-from rvd_dynamics.mission import Mission
 from rvd_groundstation.guidance.corridor_apf import CorridorApf
 
-MISSION = Mission()
-LAW = CorridorApf(MISSION)
-CONE = MISSION.corridor
+PAPER = Paper()
+LAW = PAPER.law(CorridorApf)
+CONE = PAPER.cone
 L1, L2 = 2e-4, 5e-3
 ALPHA = np.radians(3.0)
 
@@ -101,8 +101,8 @@ def test_push_points_inwards_and_is_finite(x, share, angle, rates):         # P1
 def test_outside_it_pushes_back_as_hard_as_at_the_wall():
     for beyond in (0.0, 0.01, 0.5, 5.0):
         rho = float(radius(-10.0, CONE)) + beyond
-        assert_array_equal(LAW.levels([-10.0, rho, 0, 0.25, 0, 0], None), [0, -3, 0])
-        assert_array_equal(LAW.levels([-10.0, 0, -rho, 0.25, 0, 0], None), [0, 0, 3])
+        assert_array_equal(PAPER.levels(LAW, [-10.0, rho, 0, 0.25, 0, 0], None), [0, -3, 0])
+        assert_array_equal(PAPER.levels(LAW, [-10.0, 0, -rho, 0.25, 0, 0], None), [0, 0, 3])
 
 
 def test_printed_distance_drives_out_who_is_out():
@@ -123,12 +123,12 @@ def test_axis_and_the_inner_side_of_the_boundary_are_free():                # P1
         assert ((LAW.repulsion(states)[:, 1] == 0.0) == free).all()
 
 
-def test_boundary_takes_the_whole_delay_of_the_mission():
+def test_boundary_takes_the_whole_delay_of_the_link():
     for forward, back in ((5.0, 5.0), (0.0, 0.0), (2.0, 7.0), (20.0, 20.0)):
-        mission = Mission(forward_delay_s=forward, back_delay_s=back)
+        paper = Paper(forward_delay_s=forward, back_delay_s=back)
         x = np.linspace(-30, 0, 50)
-        expected = control_boundary(x, CONE, mission.orbit.mean_motion, 0.25, forward + back)
-        assert_array_equal(CorridorApf(mission).boundary(x), expected)
+        expected = control_boundary(x, CONE, paper.orbit.mean_motion, 0.25, forward + back)
+        assert_array_equal(paper.law(CorridorApf).boundary(x), expected)
 
 
 @pytest.mark.parametrize('x, boundary, band', [(-30.0, 1.364, 0.509), (-2.5, 0.143, 0.288),
@@ -146,7 +146,7 @@ def test_level_rises_towards_the_wall(distance, level):
     inward = np.array([-np.sin(ALPHA), -np.cos(ALPHA), 0.0])
     state = np.concatenate([q + distance*inward, [0.25, 0, 0]])
     assert signed_distance(state[:3], CONE) == pytest.approx(distance, abs=1e-12)
-    assert_array_equal(LAW.levels(state, None), [0, -level, 0])
+    assert_array_equal(PAPER.levels(LAW, state, None), [0, -level, 0])
 
 
 def test_damping_brakes_motion_towards_the_wall_only():
@@ -194,10 +194,10 @@ def test_printed_boundary_jumps_and_printed_sign_turns_round():
     jump = printed.boundary(-2.5 + 1e-9) - printed.boundary(-2.5 - 1e-9)
     assert jump == pytest.approx(0.031, abs=1e-3)               # 0.112 to 0.143 m
     assert LAW.boundary(-2.5 + 1e-9) == pytest.approx(LAW.boundary(-2.5 - 1e-9), abs=1e-8)
-    long = Mission(forward_delay_s=15.0, back_delay_s=15.0)
+    long = Paper(forward_delay_s=15.0, back_delay_s=15.0)
     x = np.linspace(-12, -6, 30)
-    clamped = CorridorApf(long).boundary(x)
-    squared = CorridorApf(long, boundary_sign='printed_squared').boundary(x)
+    clamped = long.law(CorridorApf).boundary(x)
+    squared = long.law(CorridorApf, boundary_sign='printed_squared').boundary(x)
     assert (clamped == 0.0).any() and (squared[clamped == 0.0] > 0.0).any()
 
 
@@ -208,4 +208,4 @@ def test_printed_boundary_jumps_and_printed_sign_turns_round():
     ('boundary_rate', 'x'), ('boundary_sign', 'x')])
 def test_impossible_settings_are_refused_by_name(name, bad):
     with pytest.raises(ValueError, match=name):
-        CorridorApf(MISSION, **{name: bad})
+        CorridorApf(**{name: bad})

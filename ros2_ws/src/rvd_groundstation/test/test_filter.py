@@ -4,10 +4,11 @@ from dataclasses import replace
 
 import numpy as np
 from numpy.testing import assert_allclose, assert_array_equal
+from paper import Paper
 import pytest
 from scipy.linalg import expm
 
-from rvd_dynamics.mission import Mission
+from rvd_dynamics.motion.orbit import OrbitParams, StartParams
 from rvd_groundstation.prediction.filter import (
     AdaptiveFilter, FilterParams, FILTERS, gain_sequence, ScheduledFilter)
 
@@ -15,24 +16,24 @@ PARAMS = FilterParams()
 NOMINAL = np.array([-30.0, 0.0, 0.0, 0.25, 0.0, 0.0])
 
 
-def model(mission):
+def model(paper):
     """Return Phi and Gamma by the matrix exponential of the augmented system."""
-    n = mission.orbit.mean_motion
+    n = paper.orbit.mean_motion
     a = np.zeros((9, 9))
     a[:3, 3:6] = a[3:6, 6:] = np.eye(3)
     a[3, 4], a[4, 3], a[4, 1], a[5, 2] = -2*n, 2*n, 3*n*n, -n*n
-    big = expm(a * mission.step_s)
+    big = expm(a * paper.step_s)
     return big[:6, :6], big[:6, 6:]
 
 
-def riccati(mission, steps):
+def riccati(paper, steps):
     """Return gains and covariances by the textbook recursion with the numbers written out."""
-    phi, gamma = model(mission)
-    q = 9e-8 * gamma @ gamma.T + 1e-10 * (mission.step_s / 0.5) * np.eye(6)
+    phi, gamma = model(paper)
+    q = 9e-8 * gamma @ gamma.T + 1e-10 * (paper.step_s / 0.5) * np.eye(6)
     p = np.diag([0.3, 0.5, 0.5, 0.01, 0.02, 0.02])**2
     gains, covariances = [], []
     for m in range(steps):
-        x = abs(-30.0 + 0.25 * m * mission.step_s)
+        x = abs(-30.0 + 0.25 * m * paper.step_s)
         sizes = np.array([max(x, 0.25), 0.3, 0.3, 0.25, 0.02, 0.02])
         r = np.diag((0.01 * sizes)**2 + np.array([1e-8]*3 + [1e-10]*3))
         if m > 0:
@@ -46,15 +47,16 @@ def riccati(mission, steps):
 
 @pytest.mark.parametrize('step_s', [0.05, 0.1, 0.5, 1.0])
 def test_gains_are_those_of_the_riccati_recursion(step_s):
-    mission = Mission(step_s=step_s)
-    schedule = gain_sequence(PARAMS, mission, 100)
-    gains, covariances = riccati(mission, 100)
+    paper = Paper(step_s=step_s)
+    schedule = gain_sequence(PARAMS, paper.start, paper.orbit, paper.step_s, 100)
+    gains, covariances = riccati(paper, 100)
     assert_allclose(schedule.gains, gains, atol=1e-8)           # the reference inverts twice
     assert_allclose(schedule.covariances, covariances, rtol=1e-6, atol=1e-12)
 
 
 def test_longer_schedule_begins_with_the_shorter_one():
-    short, long = (gain_sequence(PARAMS, Mission(), steps) for steps in (20, 50))
+    short, long = (gain_sequence(PARAMS, StartParams(), OrbitParams(), 0.5, steps)
+                   for steps in (20, 50))
     assert_array_equal(long.gains[:20], short.gains)
 
 
@@ -77,9 +79,9 @@ def kind(request):
 
 
 def test_perfect_samples_of_a_perfect_start_change_nothing(kind):
-    mission = Mission()
-    phi, gamma = model(mission)
-    flt, truth = kind(PARAMS, mission), NOMINAL
+    paper = Paper()
+    phi, gamma = model(paper)
+    flt, truth = paper.filter(kind, PARAMS), NOMINAL
     rng = np.random.default_rng(4)
     for m in range(60):
         accel = rng.normal(scale=0.01, size=3)
@@ -89,9 +91,9 @@ def test_perfect_samples_of_a_perfect_start_change_nothing(kind):
 
 
 def test_lost_sample_leaves_the_time_update(kind):
-    mission = Mission()
-    phi, gamma = model(mission)
-    flt = kind(PARAMS, mission)
+    paper = Paper()
+    phi, gamma = model(paper)
+    flt = paper.filter(kind, PARAMS)
     before = flt.advance(0, np.zeros(3), NOMINAL + 0.1, np.array(True)).copy()
     accel = np.array([0.01, -0.02, 0.005])
     after = flt.advance(1, accel, np.full(6, np.nan), np.array(False))
@@ -99,21 +101,21 @@ def test_lost_sample_leaves_the_time_update(kind):
 
 
 def test_tracked_covariance_without_loss_is_the_schedule():
-    mission = Mission()
-    flt = ScheduledFilter(PARAMS, mission)
-    schedule = gain_sequence(PARAMS, mission, 50)
+    paper = Paper()
+    flt = paper.filter(ScheduledFilter, PARAMS)
+    schedule = gain_sequence(PARAMS, paper.start, paper.orbit, paper.step_s, 50)
     for m in range(50):
         flt.advance(m, np.zeros(3), NOMINAL, np.array(True))
         assert_allclose(flt.covariance, schedule.covariances[m], rtol=1e-9, atol=1e-15)
 
 
 def test_error_is_as_large_as_the_covariance_says_also_after_losses():
-    rows, steps, mission = 4000, 40, Mission()
+    rows, steps, paper = 4000, 40, Paper()
     rng = np.random.default_rng(11)
-    phi, gamma = model(mission)
-    flt = ScheduledFilter(PARAMS, mission, (rows,))
-    schedule = gain_sequence(PARAMS, mission, steps)
-    q = np.linalg.cholesky(PARAMS.process_covariance(gamma, mission.step_s))
+    phi, gamma = model(paper)
+    flt = paper.filter(ScheduledFilter, PARAMS, (rows,))
+    schedule = gain_sequence(PARAMS, paper.start, paper.orbit, paper.step_s, steps)
+    q = np.linalg.cholesky(PARAMS.process_covariance(gamma, paper.step_s))
     truth = NOMINAL + rng.normal(size=(rows, 6)) @ np.sqrt(PARAMS.start_covariance())
     received = rng.random((steps, rows)) < 0.8
     for m in range(steps):
@@ -128,11 +130,11 @@ def test_error_is_as_large_as_the_covariance_says_also_after_losses():
 
 
 def test_adaptive_filter_knows_the_noise_of_a_large_offset():
-    mission, start = Mission(), np.array([-30.0, 3.0, 0.0, 0.25, 0.0, 0.0])
-    flt = AdaptiveFilter(PARAMS, mission)
+    paper, start = Paper(), np.array([-30.0, 3.0, 0.0, 0.25, 0.0, 0.0])
+    flt = paper.filter(AdaptiveFilter, PARAMS)
     for m in range(5):
         flt.advance(m, np.zeros(3), start, np.array(True))
-    scheduled = gain_sequence(PARAMS, mission, 5).covariances[4]
+    scheduled = gain_sequence(PARAMS, paper.start, paper.orbit, paper.step_s, 5).covariances[4]
     # The first sample was weighed at the floor of 0.3 m, before 3 m was known.
     assert np.sqrt(flt.covariance[1, 1]) > 2 * np.sqrt(scheduled[1, 1])
     assert flt.covariance[2, 2] == pytest.approx(scheduled[2, 2], rel=1e-3)
@@ -140,17 +142,17 @@ def test_adaptive_filter_knows_the_noise_of_a_large_offset():
 
 @pytest.mark.parametrize('rows', [1, 7, 1000])
 def test_rows_are_equal_to_single_filters_bit_for_bit(kind, rows):
-    mission = Mission()
+    paper = Paper()
     steps = 12 if kind is ScheduledFilter else 2
     rng = np.random.default_rng(rows)
     accel = rng.normal(scale=0.01, size=(steps, rows, 3))
     measured = NOMINAL + rng.normal(scale=0.1, size=(steps, rows, 6))
     received = rng.random((steps, rows)) < 0.9
-    batch = kind(PARAMS, mission, (rows,), track=False)
+    batch = paper.filter(kind, PARAMS, (rows,), track=False)
     for m in range(steps):
         batch.advance(m, accel[m], measured[m], received[m])
     for row in range(0, rows, max(1, rows // 20)):
-        single = kind(PARAMS, mission, track=True)
+        single = paper.filter(kind, PARAMS, track=True)
         for m in range(steps):
             single.advance(m, accel[m, row], measured[m, row], received[m, row])
         assert_array_equal(single.estimate, batch.estimate[row])

@@ -4,19 +4,19 @@ from dataclasses import fields, is_dataclass
 
 import numpy as np
 from numpy.testing import assert_array_equal
+from paper import Paper
 import pytest
 
 from rvd_dynamics.geometry.cone import radius
-from rvd_dynamics.mission import Mission
-from rvd_dynamics.diagram.params import leaves
+from rvd_dynamics.diagram.params import is_wiring, leaves
 from rvd_groundstation.guidance import LAWS
 
-MISSION = Mission()
+PAPER = Paper()
 
 
 @pytest.fixture(params=LAWS.values(), ids=LAWS.keys())
 def law(request):
-    return request.param(MISSION)
+    return PAPER.law(request.param)
 
 
 def states(rows, seed=0):
@@ -24,7 +24,7 @@ def states(rows, seed=0):
     rng = np.random.default_rng(seed)
     x = rng.uniform(-32.0, 1.0, rows)
     angle = rng.uniform(0, 2*np.pi, rows)
-    rho = radius(x, MISSION.corridor) * rng.uniform(0.0, 1.3, rows)
+    rho = radius(x, PAPER.cone) * rng.uniform(0.0, 1.3, rows)
     rates = [0.25, 0.0, 0.0] + rng.normal(scale=0.03, size=(rows, 3))
     return np.column_stack([x, rho*np.cos(angle), rho*np.sin(angle), rates])
 
@@ -33,12 +33,14 @@ def sticks(rows, seed=0):
     return np.random.default_rng(seed).integers(-3, 4, (rows, 3), dtype=np.int8)
 
 
-def test_is_a_frozen_dataclass_with_the_mission_first(law):
-    assert is_dataclass(law) and fields(law)[0].name == 'mission'
-    assert isinstance(type(law).uses_stick, bool)
-    assert 'mission' not in dict(leaves(type(law)))
+def test_is_a_frozen_dataclass_whose_wiring_is_no_parameter(law):
+    assert is_dataclass(law) and isinstance(type(law).uses_stick, bool)
+    for f in fields(law):
+        if is_wiring(f):
+            assert f.name not in dict(leaves(type(law)))
+            assert getattr(law, f.name) is not None and getattr(type(law)(), f.name) is None
     with pytest.raises(AttributeError):
-        law.mission = None
+        law.uses_stick = None
 
 
 def test_every_setting_says_what_it_means(law):
@@ -47,8 +49,10 @@ def test_every_setting_says_what_it_means(law):
 
 
 @pytest.mark.parametrize('with_stick', [True, False])
-def test_levels_are_whole_and_in_range_everywhere(law, with_stick):
-    got = law.levels(states(5000), sticks(5000) if with_stick else None)
+def test_wants_an_acceleration_of_which_the_form_makes_levels(law, with_stick):
+    wanted = law.wanted(states(5000), sticks(5000) if with_stick else None)
+    assert wanted.shape == (5000, 3) and wanted.dtype == np.float64
+    got = PAPER.form.quantise(wanted)
     assert got.shape == (5000, 3) and got.dtype == np.int8
     assert np.abs(got).max(initial=0) <= 3
 
@@ -58,29 +62,33 @@ def test_levels_are_whole_and_in_range_everywhere(law, with_stick):
 def test_rows_are_equal_to_single_calls_bit_for_bit(law, batch, with_stick):
     rows = int(np.prod(batch, dtype=int))
     state, stick = states(rows, 5), sticks(rows, 6)
-    whole = law.levels(state.reshape(*batch, 6), stick.reshape(*batch, 3) if with_stick else None)
-    assert whole.shape == (*batch, 3)
-    for i, got in enumerate(whole.reshape(-1, 3)):
-        assert_array_equal(got, law.levels(state[i], stick[i] if with_stick else None))
+    seen = stick.reshape(*batch, 3) if with_stick else None
+    whole = law.wanted(state.reshape(*batch, 6), seen)
+    levels = PAPER.form.quantise(whole)
+    assert whole.shape == levels.shape == (*batch, 3)
+    for i, (got, level) in enumerate(zip(whole.reshape(-1, 3), levels.reshape(-1, 3))):
+        alone = law.wanted(state[i], stick[i] if with_stick else None)
+        assert got.tobytes() == alone.tobytes()
+        assert_array_equal(level, PAPER.form.quantise(alone))
 
 
 @pytest.mark.parametrize('component', range(6))
 def test_unknown_component_disturbs_no_other_row(law, component):
     state = states(20, 7)
-    clean = law.levels(state, sticks(20))
+    clean = PAPER.levels(law, state, sticks(20))
     state[3, component] = np.nan
-    got = law.levels(state, sticks(20))
+    got = PAPER.levels(law, state, sticks(20))
     assert_array_equal(np.delete(got, 3, axis=0), np.delete(clean, 3, axis=0))
     assert np.abs(got[3]).max() <= 3                                        # P10: never -128
 
 
 def test_wholly_unknown_state_is_level_zero(law):
-    assert_array_equal(law.levels(np.full((4, 6), np.nan), None), 0)
+    assert_array_equal(PAPER.levels(law, np.full((4, 6), np.nan), None), 0)
 
 
 def test_input_is_left_alone(law):
     state, stick = states(50), sticks(50)
     kept = state.copy(), stick.copy()
-    law.levels(state, stick)
+    law.wanted(state, stick)
     assert_array_equal(state, kept[0])
     assert_array_equal(stick, kept[1])

@@ -5,9 +5,9 @@ from math import copysign, exp, log, sqrt, tan, radians
 
 import numpy as np
 from numpy.testing import assert_array_equal
+from paper import Paper
 import pytest
 
-from rvd_dynamics.mission import Mission
 from rvd_dynamics.diagram.streams import pilot_draws, PilotDraws, skill_normal
 from rvd_groundstation.operators.pilot import Pilot, PilotParams, PILOTS
 
@@ -94,12 +94,12 @@ def displays(rows, steps, step_s, seed=0):
     return d, p
 
 
-def fly(params, mission, rows, d, p, first=10, seed=0, draws=None):
+def fly(params, paper, rows, d, p, first=10, seed=0, draws=None):
     """Return levels (rows, steps, 3) of a batch whose displays begin at step `first`."""
     steps = d.shape[1]
     draws = draws or stack(pilot_draws(seed, run, steps) for run in range(rows))
     skill = np.array([skill_normal(seed, run) for run in range(rows)])
-    pilot = Pilot(params, mission, draws, skill, (rows,))
+    pilot = paper.pilot(params, draws, skill, (rows,))
     return np.stack([pilot.advance(k, d[:, k], p[:, k], np.full(rows, k >= first))
                      for k in range(steps)], axis=1)
 
@@ -108,9 +108,9 @@ def fly(params, mission, rows, d, p, first=10, seed=0, draws=None):
 @pytest.mark.parametrize('name, g, spread, trust', [
     ('A', 1.635, 0.35, 0.9), ('C', 1.77, 0.20, 0.9), ('B', 1.0, 0.35, 0.602)])
 def test_is_the_model_written_out_in_scalars(name, g, spread, trust, step_s):
-    rows, mission = 12, Mission(step_s=step_s)
+    rows, paper = 12, Paper(step_s=step_s)
     d, p = displays(rows, STEPS, step_s)
-    got = fly(PILOTS[name], mission, rows, d, p)
+    got = fly(PILOTS[name], paper, rows, d, p)
     acted = 0
     for run in range(rows):
         scalar = Scalar(g, spread, trust, step_s, pilot_draws(0, run, STEPS),
@@ -123,15 +123,15 @@ def test_is_the_model_written_out_in_scalars(name, g, spread, trust, step_s):
 
 @pytest.mark.parametrize('rows', [1, 7, 300, 1000])
 def test_rows_are_equal_to_single_pilots_bit_for_bit(rows):
-    mission, steps = Mission(), 60
+    paper, steps = Paper(), 60
     d, p = displays(rows, steps, 0.5, seed=rows)
     valid = np.random.default_rng(rows).random((rows, steps)) < 0.95
     draws = [pilot_draws(3, run, steps) for run in range(rows)]
     skill = np.array([skill_normal(3, run) for run in range(rows)])
-    batch = Pilot(PilotParams(), mission, stack(draws), skill, (rows,))
+    batch = paper.pilot(PilotParams(), stack(draws), skill, (rows,))
     whole = [batch.advance(k, d[:, k], p[:, k], valid[:, k]) for k in range(steps)]
     for row in range(0, rows, max(1, rows // 12)):
-        single = Pilot(PilotParams(), mission, draws[row], skill[row])
+        single = paper.pilot(PilotParams(), draws[row], skill[row])
         for k in range(steps):
             got = single.advance(k, d[row, k], p[row, k], valid[row, k])
             assert got.shape == (3,) and got.dtype == np.int8
@@ -139,22 +139,22 @@ def test_rows_are_equal_to_single_pilots_bit_for_bit(rows):
 
 
 def test_neutral_until_the_first_displays():
-    mission = Mission()
+    paper = Paper()
     d, p = displays(50, 80, 0.5)
     d[:, :30], p[:, :30] = np.nan, np.nan
-    levels = fly(PilotParams(), mission, 50, d, p, first=30)
+    levels = fly(PilotParams(), paper, 50, d, p, first=30)
     assert not levels[:, :30].any()
     assert levels[:, 30:].any(axis=(1, 2)).mean() > 0.5
 
 
 def test_displays_that_go_out_stay_as_they_were():
-    mission = Mission()
+    paper = Paper()
     d, p = displays(40, 120, 0.5, seed=2)
     frozen_d, frozen_p = d.copy(), p.copy()
     frozen_d[:, 60:], frozen_p[:, 60:] = d[:, 59:60], p[:, 59:60]
     draws = stack(pilot_draws(0, run, 120) for run in range(40))
     skill = np.zeros(40)
-    dark, still = (Pilot(PilotParams(), mission, draws, skill, (40,)) for _ in range(2))
+    dark, still = (paper.pilot(PilotParams(), draws, skill, (40,)) for _ in range(2))
     for k in range(120):
         lit = k < 60
         nothing = np.full((40, 6), np.nan)
@@ -171,10 +171,10 @@ def constant(state, rows=1, steps=STEPS):
 @pytest.mark.parametrize('step_s', [0.05, 0.1, 0.3, 0.5, 0.7, 1.0])
 def test_clock_along_x_keeps_eight_seconds_on_any_grid(step_s):
     """Too fast for ever: a pulse of 1 s at -1 every 8 s, to the step."""
-    mission = Mission(step_s=step_s, forward_delay_s=0.0, back_delay_s=0.0)
+    paper = Paper(step_s=step_s, forward_delay_s=0.0, back_delay_s=0.0)
     steps = round(100 / step_s)
     d = constant([-30, 0, 0, 0.31, 0, 0], steps=steps)
-    levels = fly(QUIET, mission, 1, d, d, first=0)[0, :, 0]
+    levels = fly(QUIET, paper, 1, d, d, first=0)[0, :, 0]
     begins = np.flatnonzero((levels == -1) & (np.append(0, levels[:-1]) == 0))
     period = int(np.ceil(round(8.0 / step_s, 6)))
     assert len(begins) >= 12 and set(np.diff(begins)) == {period}
@@ -187,7 +187,7 @@ def test_pushes_against_what_he_sees_and_lets_the_other_axis_be(axis, side):
     state = np.array([-20.0, 0, 0, 0.25, 0, 0])
     state[axis] = 0.9 * side
     d = constant(state, rows=20)
-    levels = fly(QUIET, Mission(), 20, d, d)
+    levels = fly(QUIET, Paper(), 20, d, d)
     assert set(np.unique(levels[..., axis])) <= {0, -side, -2*side, -3*side}
     assert levels[..., axis].any(axis=1).all()
     assert not np.delete(levels, axis, axis=-1).any()
@@ -196,46 +196,46 @@ def test_pushes_against_what_he_sees_and_lets_the_other_axis_be(axis, side):
 def test_lets_be_what_lies_in_the_dead_zone_or_moves_slowly():
     for state in ([-20, 0.13, -0.13, 0.25, 0, 0], [-20, 0, 0, 0.27, 0.015, -0.015]):
         d = constant(state, rows=5)
-        assert not fly(QUIET, Mission(), 5, d, d).any()
+        assert not fly(QUIET, Paper(), 5, d, d).any()
 
 
 def test_sees_late_by_his_reaction():
     """The offset appears at one step: nobody acts on it before the reaction time is over."""
-    mission, steps, rows = Mission(), 120, 400
+    paper, steps, rows = Paper(), 120, 400
     d = np.array(constant([-20.0, 0, 0, 0.25, 0, 0], rows, steps))
     d[:, 50:, 1] = 1.0
-    levels = fly(QUIET, mission, rows, d, d)
+    levels = fly(QUIET, paper, rows, d, d)
     acted = levels[..., 1].any(axis=0)
     assert not acted[:52].any() and acted[52]
 
 
 def test_trust_in_the_prediction_falls_with_skill_and_without_the_display():
     """With the telemetry on the axis and the prediction off it, trust decides what he sees."""
-    mission, rows = Mission(), 300
+    paper, rows = Paper(), 300
     d, p = constant([-20, 0, 0, 0.25, 0, 0], rows), constant([-20, 0.8, 0, 0.25, 0, 0], rows)
     quiet = replace(QUIET, skill_gain=1.0)
-    shown = fly(quiet, mission, rows, d, p)
-    hidden = fly(replace(quiet, display=False), mission, rows, d, p)
+    shown = fly(quiet, paper, rows, d, p)
+    hidden = fly(replace(quiet, display=False), paper, rows, d, p)
     assert np.abs(shown[..., 1]).sum() > 1.3 * np.abs(hidden[..., 1]).sum() > 0
 
 
 def test_no_more_than_the_documented_draws_are_used():
     """N6, U4 and U5 are reserved: other values there change nothing."""
-    mission, rows = Mission(), 30
+    paper, rows = Paper(), 30
     d, p = displays(rows, STEPS, 0.5)
     draws = stack(pilot_draws(0, run, STEPS) for run in range(rows))
     other = PilotDraws(*(part.copy() for part in draws))
     other.normals[..., 6] += 3.0
     other.uniforms[..., 4:] = 0.0
-    assert_array_equal(fly(PilotParams(), mission, rows, d, p, draws=draws),
-                       fly(PilotParams(), mission, rows, d, p, draws=other))
+    assert_array_equal(fly(PilotParams(), paper, rows, d, p, draws=draws),
+                       fly(PilotParams(), paper, rows, d, p, draws=other))
 
 
 def test_slips_are_one_in_a_hundred_times_the_gain():
-    mission, rows = Mission(), 1500
+    paper, rows = Paper(), 1500
     state = constant([-20, 0.9, 0, 0.25, 0, 0], rows)
     params = replace(QUIET, slip_fraction=0.01)
-    levels = fly(params, mission, rows, state, state)[..., 1].astype(int)
+    levels = fly(params, paper, rows, state, state)[..., 1].astype(int)
     begins = (levels != 0) & (np.pad(levels, ((0, 0), (1, 0)))[:, :-1] == 0)
     slips, pulses = np.count_nonzero(levels[begins] > 0), np.count_nonzero(begins)
     expected = 0.01 * 1.635
@@ -244,13 +244,13 @@ def test_slips_are_one_in_a_hundred_times_the_gain():
 
 def test_lapses_take_their_share_of_the_time():
     """Asleep 8 s after 120 / G s awake: with G = 4 decisions fall by 8 / (8 + 30)."""
-    mission, rows = Mission(), 400
+    paper, rows = Paper(), 400
     state = constant([-30, 0, 0, 0.31, 0, 0], rows, 400)
     counts = []
     for lapses in (1e12, 120.0):
         params = replace(QUIET, skill_gain=4.0, lapse_interval_s=lapses,
                          closing_interval_s=0.5, closing_pulse_s=0.5)
-        counts.append(np.count_nonzero(fly(params, mission, rows, state, state)[:, 100:, 0]))
+        counts.append(np.count_nonzero(fly(params, paper, rows, state, state)[:, 100:, 0]))
     assert counts[1] / counts[0] == pytest.approx(30 / 38, abs=0.02)
 
 

@@ -4,9 +4,9 @@ from dataclasses import replace
 
 import numpy as np
 from numpy.testing import assert_allclose, assert_array_equal
+from paper import Paper
 import pytest
 
-from rvd_dynamics.mission import Mission
 from rvd_dynamics.motion import cw
 from rvd_dynamics.commands.levels import acceleration
 from rvd_groundstation.prediction.predictor import Predictor, PredictorParams
@@ -19,16 +19,16 @@ GRIDS = [(0.5, 5.0, 5.0), (0.5, 0.0, 0.0), (0.5, 0.0, 5.0), (0.5, 3.0, 0.0), (0.
          (0.1, 5.0, 5.0), (1.0, 20.0, 20.0)]
 
 
-def mission_of(grid):
+def paper_of(grid):
     step_s, forward_s, back_s = grid
-    return Mission(step_s=step_s, forward_delay_s=forward_s, back_delay_s=back_s)
+    return Paper(step_s=step_s, forward_delay_s=forward_s, back_delay_s=back_s)
 
 
-def propagate(mission, state, levels):
+def propagate(paper, state, levels):
     """Carry `state` over commands one by one by eq. 4."""
-    n, dt = mission.orbit.mean_motion, mission.step_s
+    n, dt = paper.orbit.mean_motion, paper.step_s
     for level in levels:
-        accel = acceleration(level, mission.thrust)
+        accel = acceleration(level, paper.thrust)
         state = cw.transition(n, dt) @ state + cw.input_matrix(n, dt) @ accel
     return state
 
@@ -36,30 +36,30 @@ def propagate(mission, state, levels):
 class Flight:
     """Truth by eq. 4, commands at random, and what the ground receives of it."""
 
-    def __init__(self, mission, steps, seed=0, start=NOMINAL, noise=0.0, lost=0.0):
-        self.mission, self.steps = mission, steps
+    def __init__(self, paper, steps, seed=0, start=NOMINAL, noise=0.0, lost=0.0):
+        self.paper, self.steps = paper, steps
         rng = np.random.default_rng(seed)
         self.commands = rng.integers(-3, 4, (steps, 3), dtype=np.int8)
         executed = np.zeros((steps, 3), dtype=np.int8)
-        executed[mission.forward_steps:] = self.commands[:steps - mission.forward_steps]
+        executed[paper.legs.forward:] = self.commands[:steps - paper.legs.forward]
         self.executed = executed
         self.truth = [np.asarray(start)]
         for level in executed[:-1]:
-            self.truth.append(propagate(mission, self.truth[-1], [level]))
+            self.truth.append(propagate(paper, self.truth[-1], [level]))
         self.measured = np.array(self.truth) * (1 + noise * rng.normal(size=(steps, 6)))
         self.received = rng.random(steps) >= lost
 
     def fly(self, predictor):
         """Yield (step, prediction) with the telemetry of each step."""
         for k in range(self.steps):
-            m = k - self.mission.back_steps
+            m = k - self.paper.legs.back
             sample = (self.measured[m], self.received[m]) if m >= 0 else (None, False)
             yield k, predictor.advance(k, *sample, self.commands[k - 1] if k else None)
 
     def in_flight(self, k):
         """Return the commands that act between the telemetry of step k and its prediction."""
-        m, end = k - self.mission.back_steps, k + self.mission.forward_steps
-        first = m - self.mission.forward_steps
+        m, end = k - self.paper.legs.back, k + self.paper.legs.forward
+        first = m - self.paper.legs.forward
         sent = [self.commands[i] if i >= 0 else np.zeros(3, int) for i in range(first, k)]
         return sent[:end - m]
 
@@ -67,23 +67,23 @@ class Flight:
 @pytest.mark.parametrize('grid', GRIDS, ids=str)
 @pytest.mark.parametrize('params', [PARAMS, ADAPTIVE], ids=['scheduled', 'adaptive'])
 def test_equals_the_estimate_carried_over_the_commands_in_flight(grid, params):
-    mission = mission_of(grid)
-    flight = Flight(mission, 60, noise=0.01, lost=0.1, start=NOMINAL + 0.3)
+    paper = paper_of(grid)
+    flight = Flight(paper, 60, noise=0.01, lost=0.1, start=NOMINAL + 0.3)
     compared = 0
-    for k, got in flight.fly(Predictor(params, mission)):
+    for k, got in flight.fly(paper.predictor(params)):
         if got.valid:
-            direct = propagate(mission, got.estimate, flight.in_flight(k))
+            direct = propagate(paper, got.estimate, flight.in_flight(k))
             assert_allclose(got.predicted, direct, rtol=0, atol=2e-13)  # 40 steps of 30 m, 5e-15
             compared += 1
-    assert compared >= 60 - mission.back_steps - 5
+    assert compared >= 60 - paper.legs.back - 5
 
 
 @pytest.mark.parametrize('grid', GRIDS, ids=str)
 def test_exact_model_without_noise_reproduces_the_truth(grid):              # P18
-    mission = mission_of(grid)
-    flight = Flight(mission, 80, seed=1)
-    for k, got in flight.fly(Predictor(PARAMS, mission)):
-        ahead = k + mission.forward_steps
+    paper = paper_of(grid)
+    flight = Flight(paper, 80, seed=1)
+    for k, got in flight.fly(paper.predictor(PARAMS)):
+        ahead = k + paper.legs.forward
         if got.valid and ahead < flight.steps:
             assert_allclose(got.predicted, flight.truth[ahead], rtol=0, atol=1e-12)
 
@@ -91,7 +91,7 @@ def test_exact_model_without_noise_reproduces_the_truth(grid):              # P1
 def worst_error_once_settled(predictor, flight):
     error = 0.0
     for k, got in flight.fly(predictor):
-        ahead = k + flight.mission.forward_steps
+        ahead = k + flight.paper.legs.forward
         if 40 <= k and ahead < flight.steps:
             error = max(error, np.abs(got.predicted - flight.truth[ahead]).max())
     return error
@@ -108,62 +108,62 @@ class FedBack(Predictor):
 
 
 def test_feeding_the_correction_back_would_be_seen():
-    mission = Mission()
-    flight = Flight(mission, 150, start=NOMINAL + np.array([0, 0.5, 0, 0, 0.01, 0]))
-    right = worst_error_once_settled(Predictor(PARAMS, mission), flight)
-    wrong = worst_error_once_settled(FedBack(PARAMS, mission), flight)
+    paper = Paper()
+    flight = Flight(paper, 150, start=NOMINAL + np.array([0, 0.5, 0, 0, 0.01, 0]))
+    right = worst_error_once_settled(paper.predictor(PARAMS), flight)
+    wrong = worst_error_once_settled(paper.predictor(PARAMS, kind=FedBack), flight)
     assert right < 1e-3 and wrong > 100 * right
 
 
 def test_a_correction_counts_once_however_long_it_stands():
     """An offset of the whole start is corrected by itself, not by its multiples."""
-    mission = Mission()
+    paper = Paper()
     offset = np.array([0.0, 0.4, -0.3, 0.0, 0.0, 0.0])
-    flight = Flight(mission, 100, start=NOMINAL + offset)
+    flight = Flight(paper, 100, start=NOMINAL + offset)
     flight.commands[:] = 0
-    flight.truth = [propagate(mission, flight.truth[0], np.zeros((k, 3), int))
+    flight.truth = [propagate(paper, flight.truth[0], np.zeros((k, 3), int))
                     for k in range(100)]
     flight.measured = np.array(flight.truth)
     plain = NOMINAL + offset
-    for k, got in flight.fly(Predictor(PARAMS, mission)):
+    for k, got in flight.fly(paper.predictor(PARAMS)):
         if k > 60:
-            plain_k = cw.propagate(plain, mission.orbit.mean_motion, (k + 10) * 0.5)
+            plain_k = cw.propagate(plain, paper.orbit.mean_motion, (k + 10) * 0.5)
             assert_allclose(got.predicted, plain_k, atol=1e-3)
 
 
 def test_lost_command_shows_a_loop_later_and_then_no_more():
-    mission = Mission()
-    flight = Flight(mission, 140, seed=2)
+    paper = Paper()
+    flight = Flight(paper, 140, seed=2)
     lost_at = 40
-    flight.executed[lost_at + mission.forward_steps] = 0            # the ground is not told
+    flight.executed[lost_at + paper.legs.forward] = 0             # the ground is not told
     flight.commands[lost_at] = [0, 3, 0]
     flight.truth = [NOMINAL]
     for level in flight.executed[:-1]:
-        flight.truth.append(propagate(mission, flight.truth[-1], [level]))
+        flight.truth.append(propagate(paper, flight.truth[-1], [level]))
     flight.measured = np.array(flight.truth)
     errors = {k: np.abs(got.predicted - flight.truth[k + 10]).max()
-              for k, got in flight.fly(Predictor(PARAMS, mission)) if k >= 30 and k + 10 < 140}
+              for k, got in flight.fly(paper.predictor(PARAMS)) if k >= 30 and k + 10 < 140}
     assert max(errors[k] for k in range(30, 41)) < 1e-9
     assert errors[55] > 0.03                            # 0.02 m/s^2 for 0.5 s: 5 s later
     assert errors[129] < errors[55] / 10
 
 
 def test_nothing_is_known_before_the_first_telemetry():
-    mission = Mission()
-    flight = Flight(mission, 30)
+    paper = Paper()
+    flight = Flight(paper, 30)
     flight.received[:3] = False
-    for k, got in flight.fly(Predictor(PARAMS, mission)):
-        assert bool(got.valid) == (k >= mission.back_steps + 3)
+    for k, got in flight.fly(paper.predictor(PARAMS)):
+        assert bool(got.valid) == (k >= paper.legs.back + 3)
         for field in got[:-1]:
             assert np.isfinite(field).all() == bool(got.valid)
 
 
 def test_sample_that_is_not_finite_counts_as_lost():
-    mission = Mission(back_delay_s=0.0)
+    paper = Paper(back_delay_s=0.0)
     for component in range(6):
         spoiled = NOMINAL.copy()
         spoiled[component] = np.nan
-        one, other = Predictor(PARAMS, mission), Predictor(PARAMS, mission)
+        one, other = paper.predictor(PARAMS), paper.predictor(PARAMS)
         for predictor in (one, other):
             predictor.advance(0, NOMINAL + 0.1, True, None)
         got = one.advance(1, spoiled, True, [0, 0, 0])
@@ -172,7 +172,7 @@ def test_sample_that_is_not_finite_counts_as_lost():
 
 
 def test_step_left_out_is_refused():
-    predictor = Predictor(PARAMS, Mission())
+    predictor = Paper().predictor(PARAMS)
     predictor.advance(0, None, False, None)
     with pytest.raises(ValueError, match='step must be 1, got 2'):
         predictor.advance(2, None, False, None)
@@ -184,18 +184,18 @@ def test_unknown_filter_is_refused_by_name():
 
 
 def test_covariance_of_the_prediction_is_that_of_its_error():
-    rows, mission = 4000, Mission()
+    rows, paper = 4000, Paper()
     rng = np.random.default_rng(8)
-    loop, n, dt = 20, mission.orbit.mean_motion, mission.step_s
+    loop, n, dt = 20, paper.orbit.mean_motion, paper.step_s
     phi, gamma = cw.transition(n, dt), cw.input_matrix(n, dt)
     kalman = PARAMS.kalman
     q = np.linalg.cholesky(kalman.process_covariance(gamma, dt))
     truth = [NOMINAL + rng.normal(size=(rows, 6)) @ np.sqrt(kalman.start_covariance())]
     for _ in range(60):
         truth.append(truth[-1] @ phi.T + rng.normal(size=(rows, 6)) @ q.T)
-    predictor = Predictor(PARAMS, mission, (rows,))
+    predictor = paper.predictor(PARAMS, (rows,))
     for k in range(50):
-        m = k - mission.back_steps
+        m = k - paper.legs.back
         measured, received = None, False
         if m >= 0:
             nominal = NOMINAL + [0.25 * m * dt, 0, 0, 0, 0, 0]
@@ -203,22 +203,22 @@ def test_covariance_of_the_prediction_is_that_of_its_error():
             measured = truth[m] + sigma * rng.normal(size=(rows, 6))
             received = rng.random(rows) < 0.9
         got = predictor.advance(k, measured, received, None)
-    error = got.predicted - truth[49 + mission.forward_steps]
+    error = got.predicted - truth[49 + paper.legs.forward]
     nees = np.einsum('ni,nij,nj->n', error, np.linalg.inv(got.covariance), error)
-    assert loop == mission.forward_steps + mission.back_steps
+    assert loop == paper.legs.forward + paper.legs.back
     assert abs(nees.mean() - 6.0) < 5 * np.sqrt(12.0 / rows)
 
 
 @pytest.mark.parametrize('rows', [1, 7, 300, 1000])
 def test_rows_are_equal_to_single_runs_bit_for_bit(rows):
-    mission = Mission()
+    paper = Paper()
     rng = np.random.default_rng(rows)
     measured = NOMINAL + rng.normal(scale=0.1, size=(40, rows, 6))
     received = rng.random((40, rows)) < 0.9
     sent = rng.integers(-3, 4, (40, rows, 3), dtype=np.int8)
-    batch = Predictor(PARAMS, mission, (rows,), track=False)
+    batch = paper.predictor(PARAMS, (rows,), track=False)
     chosen = range(0, rows, max(1, rows // 10))
-    single = {row: Predictor(PARAMS, mission, track=row % 2 == 0) for row in chosen}
+    single = {row: paper.predictor(PARAMS, track=row % 2 == 0) for row in chosen}
     for k in range(40):
         whole = batch.advance(k, measured[k], received[k], sent[k])
         for row, predictor in single.items():
@@ -231,11 +231,11 @@ def test_rows_are_equal_to_single_runs_bit_for_bit(rows):
 # Score
 
 def test_perfect_predictions_score_zero_and_are_all_counted():
-    mission = Mission()
-    flight = Flight(mission, 100, seed=3)
-    score = Score(mission)
-    for k, got in flight.fly(Predictor(PARAMS, mission)):
-        m = k - mission.back_steps
+    paper = Paper()
+    flight = Flight(paper, 100, seed=3)
+    score = paper.score()
+    for k, got in flight.fly(paper.predictor(PARAMS)):
+        m = k - paper.legs.back
         sample = (flight.measured[m], flight.received[m]) if m >= 0 else (None, False)
         scored = score.advance(got, *sample)
         assert bool(scored.valid) == (k >= 30)              # first prediction at 10, loop of 20
@@ -245,10 +245,10 @@ def test_perfect_predictions_score_zero_and_are_all_counted():
 
 
 def test_score_is_the_root_mean_square_of_what_was_off():
-    mission = Mission(forward_delay_s=0.5, back_delay_s=0.0)
-    flight = Flight(mission, 40, seed=4, noise=0.01, lost=0.2)
-    score, kept, errors = Score(mission), [], []
-    for k, got in flight.fly(Predictor(PARAMS, mission)):
+    paper = Paper(forward_delay_s=0.5, back_delay_s=0.0)
+    flight = Flight(paper, 40, seed=4, noise=0.01, lost=0.2)
+    score, kept, errors = paper.score(), [], []
+    for k, got in flight.fly(paper.predictor(PARAMS)):
         kept.append(got.predicted)
         scored = score.advance(got, flight.measured[k], flight.received[k])
         if k >= 1 and flight.received[k] and np.isfinite(kept[k - 1]).all():
@@ -261,13 +261,13 @@ def test_score_is_the_root_mean_square_of_what_was_off():
 
 
 def test_nothing_scored_is_not_zero():
-    scored = Score(Mission()).advance(
-        Predictor(PARAMS, Mission()).advance(0, None, False, None), None, False)
+    scored = Paper().score().advance(
+        Paper().predictor(PARAMS).advance(0, None, False, None), None, False)
     assert scored.scored == 0 and np.isnan(scored.rms).all()
 
 
 def test_settings_reach_the_filter():
     wide = PredictorParams(kalman=replace(PARAMS.kalman, measurement_fraction=0.1))
-    first = Predictor(wide, Mission(back_delay_s=0.0)).advance(0, NOMINAL + 1.0, True, None)
-    usual = Predictor(PARAMS, Mission(back_delay_s=0.0)).advance(0, NOMINAL + 1.0, True, None)
+    first = Paper(back_delay_s=0.0).predictor(wide).advance(0, NOMINAL + 1.0, True, None)
+    usual = Paper(back_delay_s=0.0).predictor(PARAMS).advance(0, NOMINAL + 1.0, True, None)
     assert abs(first.estimate[0] - NOMINAL[0]) < abs(usual.estimate[0] - NOMINAL[0])

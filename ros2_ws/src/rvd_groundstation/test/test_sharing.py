@@ -11,7 +11,7 @@ from numpy.testing import assert_array_equal
 import pytest
 
 from rvd_dynamics.commands import codes
-from rvd_groundstation.sharing import decide, Eq25, Filter, SHARING
+from rvd_groundstation.sharing import decide, Eq25, SHARING, StickFilter
 
 LEVELS = range(-3, 4)
 CELLS = list(product(LEVELS, LEVELS))
@@ -96,7 +96,7 @@ def test_unknown_rounding_is_refused_by_name():
 
 
 def test_filter_hands_over_the_automatic_levels():
-    assert_array_equal(Filter().share(MAN, AUTO), AUTO)
+    assert_array_equal(StickFilter().share(MAN, AUTO), AUTO)
 
 
 @pytest.fixture(params=SHARING.values(), ids=SHARING.keys())
@@ -157,7 +157,7 @@ def test_a_command_out_of_range_is_invalid_as_a_whole(wrong):               # P1
 
 
 def test_filter_says_whether_the_pilot_passed():
-    got = decide('shared', Filter(), [PILOT, PILOT], True, [PILOT, MACHINE], [True, True])
+    got = decide('shared', StickFilter(), [PILOT, PILOT], True, [PILOT, MACHINE], [True, True])
     assert_array_equal(got.decided_by, [codes.BY_PILOT, codes.BY_AUTO])
     assert np.isnan(got.pilot_weight).all()
 

@@ -6,8 +6,7 @@ from mcap.writer import CompressionType, Writer
 from mcap_ros2.writer import Writer as RosWriter
 import pytest
 
-from rvd_dynamics.mission import StickParams
-from rvd_dynamics.commands.levels import stick_levels
+from rvd_dynamics.commands.levels import stick_levels, StickParams
 from rvd_groundstation.operators.tape import read_tape
 
 CSV = """# a recorded stick

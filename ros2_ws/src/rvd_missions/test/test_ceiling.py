@@ -1,26 +1,24 @@
 """The physical ceiling: closed forms, brute force over histories, and no law above it."""
 
-from dataclasses import replace
 from itertools import product
 from math import exp, inf, sqrt
 
 import numpy as np
 import pytest
 
-from rvd_campaign.campaign.ceiling import _of, _World, best_margin, ceiling, main
-from rvd_campaign.loop import fly, LoopSettings
-from rvd_dynamics.judge import Judge
-from rvd_dynamics.link.models import LinkParams
-from rvd_dynamics.mission import Mission
+from rvd_dynamics.diagram.in_process import fly, judge_of
+from rvd_dynamics.diagram.scenario import parse
 from rvd_dynamics.world.plants.relative import Cw
-from rvd_dynamics.commands.levels import acceleration
-from rvd_dynamics.world.settings import DynamicsParams, ScatterParams
-from rvd_groundstation.guidance.barrier import Barrier
-from rvd_groundstation.sharing import Filter
+from rvd_missions.lunar_approach.ceiling import _of, _World, best_margin, ceiling, main
 
-MISSION = Mission()
-PAPER = LoopSettings(mission=MISSION, law=Barrier(MISSION))
-QUIET = replace(PAPER, dynamics=DynamicsParams(execution_noise_fraction=0.0))
+PAPER = parse('auto_controller: {ros__parameters: {law: barrier}}', 'paper')
+QUIET = PAPER.with_values('spacecraft_dynamics', execution_noise_fraction=0.0)
+CONE = PAPER.part('cone')
+
+
+def scattered(position_m, velocity_m_s=(0.0, 0.01, 0.01)):
+    return PAPER.with_values('spacecraft_dynamics', scatter__sigma_position_m=position_m,
+                             scatter__sigma_velocity_m_s=velocity_m_s)
 
 
 def world(state, steps=401):
@@ -34,16 +32,14 @@ def test_each_run_is_in_exactly_one_place():
 
 def test_share_that_starts_outside_is_the_tail_of_the_scatter():
     """rho is Rayleigh of 0.6 m, R(-30) = 1.872 m: P(outside) = exp(-R^2 / 2 sigma^2)."""
-    wide = replace(PAPER, dynamics=DynamicsParams(
-        scatter=ScatterParams(sigma_position_m=(0.0, 1.0, 1.0), sigma_velocity_m_s=(0.0,)*3)))
+    wide = scattered((0.0, 1.0, 1.0), (0.0,)*3)
     expected, runs = exp(-1.8722**2/2.0), 2000
     got = ceiling(wide, range(runs), first_step=0).outside.mean()
     assert abs(got - expected) < 4.0*sqrt(expected*(1.0 - expected)/runs)   # 1 in 16,000
 
 
 def test_a_later_command_never_saves_more():
-    wide = replace(PAPER, dynamics=DynamicsParams(
-        scatter=ScatterParams(sigma_position_m=(0.0, 0.8, 0.8))))
+    wide = scattered((0.0, 0.8, 0.8))
     saved = [ceiling(wide, range(150), first_step=k).docked for k in (0, 10, 30)]
     assert np.all(saved[0] >= saved[1]) and np.all(saved[1] >= saved[2])
     assert saved[0].sum() > saved[2].sum()
@@ -53,12 +49,10 @@ def test_upper_bound_agrees_with_a_ballistic_stop():
     """Lateral motion alone, orbit too slow to matter: outwards at v, the best stop needs
     v^2 / 2a, while the wall comes in by x' tan(alpha) per second. In the plane of y the
     least margin is where both move alike, at t = (v + x' tan(alpha)) / a."""
-    slow = replace(QUIET, mission=replace(
-        MISSION, orbit=replace(MISSION.orbit, radius_m=1e9), corridor=MISSION.corridor,
-        thrust=replace(MISSION.thrust, x_m_s2=(1e-9, 2e-9, 3e-9))))
-    y, v, a, narrowing = 1.2, 0.15, 0.02, 0.25*MISSION.corridor.tan_alpha
+    slow = QUIET.with_values('/**', orbit__radius_m=1e9, thrust__x_m_s2=(1e-9, 2e-9, 3e-9))
+    y, v, a, narrowing = 1.2, 0.15, 0.02, 0.25*CONE.tan_alpha
     t = (v + narrowing)/a
-    room = 0.3 + 28.0*MISSION.corridor.tan_alpha
+    room = 0.3 + 28.0*CONE.tan_alpha
     expected = room - narrowing*t - (y + v*t - a*t*t/2.0)
     got = best_margin(slow, world([-28.0, y, 0.0, 0.25, v, 0.0]), 0)
     assert abs(got - expected) < 1e-3       # instants are sampled at 0.25 s
@@ -71,13 +65,14 @@ def test_upper_bound_is_above_every_history_of_levels():
     bound = best_margin(QUIET, world(state), 0)
     pairs = list(product((-3, 0, 3), repeat=2))
     plans = np.array(list(product(pairs, repeat=3)))                # (729, 3, 2)
-    truth, judge = Cw(MISSION), Judge(MISSION, (len(plans),))
+    truth = Cw(PAPER.part('orbit'), PAPER.run.step_s)
+    judge = judge_of(PAPER, (len(plans),))
     flying = np.tile(state, (len(plans), 1))
     judge.start(flying)
     for step in range(9):
         levels = np.zeros((len(plans), 3), dtype=np.int8)
         levels[:, 1:] = plans[:, step//3]
-        accel = acceleration(levels, MISSION.thrust)
+        accel = PAPER.part('form').effect(levels)
         flying = truth.advance(flying, accel)
         judge.advance(step + 1, flying, accel)
     best = judge.verdict().values['min_corridor_margin_m'].max()
@@ -102,19 +97,17 @@ def test_at_the_docking_plane_nothing_is_left_to_ask():
 
 def test_link_that_is_down_leaves_what_drifts_in():
     """Without any thrust the Coriolis push alone takes nearly every run out."""
-    dead = replace(PAPER, link_forward=LinkParams(loss_fraction=1.0))
+    dead = PAPER.with_values('link_forward', loss_fraction=1.0)
     assert not ceiling(dead, range(8)).docked.any()
 
 
 @pytest.mark.slow
 def test_no_law_docks_a_run_that_is_refuted_and_the_barrier_nearly_all_others():
     """More than twice the scatter in rate makes a hundred hopeless runs."""
-    wide = DynamicsParams(scatter=ScatterParams(sigma_position_m=(0.0, 0.7, 0.7),
-                                                sigma_velocity_m_s=(0.0, 0.025, 0.025)))
-    settings = replace(PAPER, law=Barrier(MISSION, sharing=Filter()), sharing=Filter(),
-                       dynamics=wide)
+    wide = scattered((0.0, 0.7, 0.7), (0.0, 0.025, 0.025)).with_values(
+        'command_blender', sharing='filter')
     runs = range(1500)
-    found, flown = ceiling(settings, runs), fly(settings, runs).verdict.success
+    found, flown = ceiling(wide, runs), fly(wide, runs).verdict.success
     lost = found.outside | found.left | found.refuted
     assert found.refuted.sum() > 3 and lost.sum() > 50
     assert not flown[lost].any()

@@ -328,7 +328,7 @@ def test_without_any_control_the_reference_approach_leaves_at_69_seconds():
         state = model.advance(state, REST)
         judge.advance(step, state, REST)
     v = seen(judge.verdict())
-    n = RUN.orbit.mean_motion
+    n = OrbitParams().mean_motion
 
     def station(t):                                 # eq. 19
         return -30.0 + np.sin(n*t)/n - 0.75*t

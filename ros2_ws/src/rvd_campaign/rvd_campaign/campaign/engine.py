@@ -50,7 +50,7 @@ SPARE_BYTES = 8 << 20           # of disk, for summary and report
 FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 MATTERS = ('numpy', 'scipy', 'filterpy')        # packages whose version may move a last bit
 SOURCES = ('.py', '.c', '.h')
-NO_SOURCES = {'nodes', 'ros', 'recording'}      # folders that no run in one process depends on
+NO_SOURCES = {'nodes', 'ros', 'recording'}      # folders on which no run in process depends
 PR_SET_PDEATHSIG = 1                            # linux/prctl.h
 
 
@@ -108,8 +108,8 @@ def identity(campaign: Campaign) -> dict[str, str]:
     """Return what must be equal for two runs of the same number to be the same run."""
     settings = json.dumps([campaign.seed, [(c.name, c.scenario.resolved())
                                            for c in campaign.conditions]])
-    return {'settings': hashlib.sha256(settings.encode()).hexdigest(), 'code': code_hash(campaign.mission),
-            **versions()}
+    return {'settings': hashlib.sha256(settings.encode()).hexdigest(),
+            'code': code_hash(campaign.mission), **versions()}
 
 
 def open_folder(folder: Path) -> tuple[Campaign, dict]:

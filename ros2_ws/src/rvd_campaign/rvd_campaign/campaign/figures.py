@@ -177,9 +177,8 @@ def figures_of(mission: Mission) -> dict[str, CampaignFigure]:
     """
     try:
         return {**FIGURES, **(loaded(mission.campaign_figures) if mission.campaign_figures else {})}
-    except ImportError as error:
-        raise ValueError(f'mission {mission.name}: campaign figures cannot be loaded: '
-                         f'{error}') from None
+    except (ImportError, ValueError) as error:
+        raise ValueError(f'mission {mission.name}: campaign figures: {error}') from None
 
 
 def shown_by(campaign: Campaign) -> dict[str, CampaignFigure]:

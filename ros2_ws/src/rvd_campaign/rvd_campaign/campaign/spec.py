@@ -178,7 +178,8 @@ class _Reader:
             self._pairs(tree.get('compare'), names),
             self._texts('fitted', tree.get('fitted'), names),
             self._reference(tree.get('reference'), names),
-            self._figures(base.mission, tree.get('figures', [])), self._notes(tree.get('notes', [])), text)
+            self._figures(base.mission, tree.get('figures', [])),
+            self._notes(tree.get('notes', [])), text)
 
     def _refuse(self, words: str) -> None:
         raise CampaignError(f'{self._what}: {words}')

@@ -21,7 +21,9 @@ from typing import Any
 from rvd_campaign.flight import fly
 from rvd_campaign.cli import CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_INTERRUPTED
 from rvd_campaign.flight.domain import reserved_domain
+from rvd_dynamics.diagram.display import as_data
 from rvd_dynamics.diagram.scenario import Scenario
+from rvd_groundstation.console.provider import display_of
 
 URL_S = 30.0                    # [s] wall time for the page to be there
 LOOK_S = 0.2                    # [s] wall time between two looks at the process
@@ -31,10 +33,15 @@ STOP_S = 5.0                    # [s] wall time it gets to end
 class ConsoleProcess:
     """The console as a child process; its wishes come in order."""
 
-    def __init__(self, args: argparse.Namespace, runs: Path, folder: Path, domain: int) -> None:
+    def __init__(self, args: argparse.Namespace, runs: Path, folder: Path, domain: int,
+                 scenario: Scenario) -> None:
         self.socket = folder / 'console'
-        command = [sys.executable, '-m', 'rvd_groundstation.nodes.console', '--serve',
+        display = folder / 'display.json'       # for pages that open before the first run
+        display.write_text(json.dumps(as_data(display_of(scenario).display)),
+                           encoding='utf-8')
+        command = [sys.executable, '-m', 'rvd_groundstation.console.main', '--serve',
                    '--socket', str(self.socket), '--runs', str(runs), '--bind', args.bind,
+                   '--display', str(display),
                    '--port', str(args.port), '--tls-cert', args.tls_cert,
                    '--tls-key', args.tls_key]
         if args.session:
@@ -127,7 +134,7 @@ def main(args: argparse.Namespace, scenario: Scenario) -> int:
     for number in (signal.SIGTERM, signal.SIGINT):
         signal.signal(number, _interrupt)
     with reserved_domain() as domain, tempfile.TemporaryDirectory(prefix='rvd-') as folder:
-        page = ConsoleProcess(args, runs, Path(folder), domain)
+        page = ConsoleProcess(args, runs, Path(folder), domain, scenario)
         os.environ['RVD_CONSOLE'] = str(page.socket)
         try:
             print(f'open {page.url()}', flush=True)

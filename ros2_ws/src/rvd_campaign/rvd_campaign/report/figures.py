@@ -37,9 +37,15 @@ def figures_of(run: Recording) -> dict[str, Figure]:
 def _own(run: Recording) -> dict[str, Figure]:
     mission = run.scenario.mission
     try:
-        return loaded(mission.figures) if mission.figures else {}
+        own = loaded(mission.figures) if mission.figures else {}
     except ValueError as error:
         raise ValueError(f'mission {mission.name}: figures: {error}') from None
+    if not isinstance(own, dict) or not all(
+            str(name).isidentifier() and isinstance(figure, Figure)
+            for name, figure in own.items()):
+        raise ValueError(f'mission {mission.name}: {mission.figures} must be a dict of Figure by '
+                         'plain names')
+    return own
 
 
 def _released(run: Recording) -> list[Link]:

@@ -17,7 +17,7 @@ from rvd_campaign.campaign.stats import wilson
 from rvd_campaign.report.page import render
 from rvd_dynamics.diagram.in_process import judge_of
 from rvd_dynamics.diagram.judge import declared
-from rvd_dynamics.diagram.mission import find
+from rvd_dynamics.diagram.mission import find, installed
 from rvd_dynamics.diagram.run import DEFAULT_MISSION
 from rvd_dynamics.diagram.scenario import Scenario
 from rvd_dynamics.recording import whole
@@ -88,11 +88,11 @@ def read_flights(folder: Path) -> tuple[list[dict[str, Any]], int]:
 
 
 def _known(folder: Path) -> dict[str, dict[str, Any]]:
-    """Return words, unit and digits of the measures of the missions that were flown."""
+    """Return words, unit and digits of the measures of those missions flown that are installed."""
     missions = {json.loads(file.read_text(encoding='utf-8')).get('mission', DEFAULT_MISSION)
                 for file in folder.glob('P*/*/verdict.json')}
-    return {name: said for mission in sorted(missions) for name, said in declared(
-        judge_of(Scenario(mission, find(mission), {})).measures).items()}
+    return {name: said for mission in sorted(missions & set(installed())) for name, said in
+            declared(judge_of(Scenario(mission, find(mission), {})).measures).items()}
 
 
 def _measures(flights: list[dict[str, Any]]) -> list[str]:

@@ -175,7 +175,8 @@ def _commands_of_control(run: Recording) -> list[Commands]:
     blocks = () if run.scenario is None else run.scenario.diagram.blocks
     written = [run.of(signal) for block in blocks if block.control
                for signal in block.writes.values()]
-    return [series for series in written if isinstance(series, Commands)]
+    return [series for series in written
+            if isinstance(series, Commands) and series.decided_by is not None]
 
 
 def _refused(run: Recording) -> tuple[str, int] | None:

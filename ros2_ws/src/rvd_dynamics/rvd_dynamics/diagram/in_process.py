@@ -132,7 +132,7 @@ def check(scenario: Scenario) -> None:
                 raise ValueError(f'{_operator(scenario)}{block.name} reads {read.signal.name} '
                                  f'from {outside}, which takes a graph and a wall clock: in one '
                                  'process only blocks take part')
-        for name in needs(block.make):
+        for name in needs(block.make, f'block {block.name}'):
             if name in scenario.mission.parts:
                 scenario.part(name)
 

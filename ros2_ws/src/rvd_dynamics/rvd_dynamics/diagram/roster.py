@@ -18,7 +18,7 @@ import shlex
 import sys
 from typing import NamedTuple
 
-from rvd_dynamics.diagram.block import Leg, WATCH
+from rvd_dynamics.diagram.block import Leg, Read, WATCH
 from rvd_dynamics.diagram.scenario import load, Scenario
 
 # What a run says about itself, besides the signals of its diagram.
@@ -136,6 +136,8 @@ class Roster:
         found: set[str] = set()
         if name in self.blocks:
             found = {read.signal.name for read in self.blocks[name].reads.values()} | {'/run/end'}
+        if self.follows_clock(name):
+            found.add('/clock')
         if name == self.diagram.plant:
             found |= {'/run/ready', '/run/recorded_step', '/run/pause'}
         if name in self.watchers:
@@ -146,6 +148,16 @@ class Roster:
             if not external.foreign:
                 found |= {'/run/end', '/run/pause', '/run/events', '/run/verdict'}
         return frozenset(found) - self.writes(name)
+
+    def follows_clock(self, name: str) -> bool:
+        """
+        Say whether a block must wait for the world's /clock.
+
+        Where every input is delayed, nothing of step k itself holds firing k up: the block would
+        run ahead of the world, and past the end of the run.
+        """
+        return name in self.blocks and name != self.diagram.plant and all(
+            read.delay > 0 or read.held for read in self.blocks[name].reads.values())
 
     # -- processes --------------------------------------------------------------------------
 
@@ -206,12 +218,22 @@ class Roster:
             if block is None:
                 continue
             stepped = [topic for topic in self.emits(name) if topic != '/clock']
+            if not stepped:                     # it has nothing to give
+                continue
             due = min(seen(topic) for topic in stepped) + block.period
             due -= due % block.period
-            if all(seen(read.signal.name) >= due - read.delay for read in block.reads.values()
-                   if not read.held):
+            if self.follows_clock(name) and seen(truth) < due:
+                continue
+            if all(seen(read.signal.name) >= self._needed(read, due)
+                   for read in block.reads.values() if not read.held):
                 owing.append(name)
         return owing
+
+    def _needed(self, read: Read, due: int) -> int:
+        """Return the step of the writer whose output a block needs for its firing `due`."""
+        writer = self.diagram.writer_of.get(read.signal.name)
+        at = due - read.delay
+        return at - at % writer.period if writer else at
 
 
 def listed(scenario: Scenario, headless: bool) -> Roster:

@@ -40,6 +40,11 @@ class LinkChance:
     hold_steps: int
     step_ns: int
 
+    @property
+    def purposes(self) -> tuple[str, ...]:
+        """The one stream."""
+        return (self.purpose,)
+
     def of_run(self, seed: int, run: int, steps: int) -> LinkPlan:
         """Return the plan of one run."""
         return draw_plan(self.params, streams.generator(seed, run, self.purpose), steps,
@@ -125,16 +130,19 @@ def sources(plans: Sequence[LinkPlan], hold_steps: int, step_ns: int, abort_step
     """
     Return the step whose frame comes out intact in each step, (N, steps); -1: none does.
 
-    Frames are expedited from `abort_step` on.
+    Frames are expedited from `abort_step` on, and may then come out twice or after newer ones,
+    which the guard's gate refuses: only a frame that is newer than all before it counts.
     """
     steps = len(plans[0].duplicated)
     found = np.full((len(plans), steps), -1, dtype=np.int64)
     for row, plan in zip(found, plans):
-        channel = Channel(plan, hold_steps, step_ns)
+        channel, newest = Channel(plan, hold_steps, step_ns), -1
         for k in range(steps):
             payload = k.to_bytes(8, 'little')
             out = channel.advance(k, Frame(sequence=k + 1, sent_ns=k*step_ns, payload=payload,
                                            expedited=k >= abort_step))
-            if out is not None and out.payload == (out.sequence - 1).to_bytes(8, 'little'):
-                row[k] = out.sequence - 1
+            if out is None or out.sequence - 1 <= newest:
+                continue
+            if out.payload == (out.sequence - 1).to_bytes(8, 'little'):
+                row[k] = newest = out.sequence - 1
     return found

@@ -114,16 +114,15 @@ class _Flown:
         own = {'signal': signal, 'run': self.scenario.run, 'event': lambda code, text: None}
         codec = made(signal.codec, self.available(own), f'signal {signal.name}')
         value = self._history[signal.name]
-        unknown = [p.name for p in signal.parts if getattr(value, p.name) is None]
         columns = [self._column(part, getattr(value, part.name)) for part in signal.parts]
         encoded = [codec.encode(k, signal.type(*(column(k) for column in columns)))
                    for k in range(0, self.end + 1, period)]
         decode = decoder_of(signal.message)
         series = SERIES[signal.message].of(
             [decode(message) if isinstance(message, bytes) else message for message in encoded])
-        return series.without(
-            name for name in unknown
-            if next(p for p in signal.parts if p.name == name).dtype[0] not in 'fO')
+        return series.without(                  # numbers that cannot say that they are unknown
+            part.name for part in signal.parts
+            if getattr(value, part.name) is None and part.dtype[0] not in 'fO')
 
     def _column(self, part: Any, values: Any) -> Any:
         """Return what gives a part of a step; one that nobody recorded is unknown in all."""

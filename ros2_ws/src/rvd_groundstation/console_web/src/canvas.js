@@ -1,10 +1,11 @@
 // What is shown beside the scene: words, and 2D canvases that keep sharp, sized to their box and
 // drawn in units of rem.
 
+// By role (see diagram/display.py), and of the page itself.
 export const COLOUR = {
-  measured: '#7cc4ff', predicted: '#ffb652', auto: '#d59bf6', ok: '#56d6b0', alarm: '#ff7a5c',
-  wall: '#8aa4bd', boundary: '#b9c2a0', dim: '#8fa1b3', line: '#263544', text: '#dbe5ee', truth: '#f2f5f8',
-  stale: '#7b8793',
+  measured: '#7cc4ff', predicted: '#ffb652', truth: '#f2f5f8', target: '#dbe5ee', plain: '#dbe5ee',
+  pilot: '#7cc4ff', automatic: '#d59bf6', sent: '#56d6b0', limit: '#8aa4bd', guide: '#b9c2a0', goal: '#56d6b0',
+  ok: '#56d6b0', alarm: '#ff7a5c', dim: '#8fa1b3', line: '#263544', text: '#dbe5ee',
 };
 
 // Whether WebGL is drawn by the processor: there each picture of a canvas that goes through it

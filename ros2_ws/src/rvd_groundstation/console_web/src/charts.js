@@ -1,69 +1,68 @@
-// Strip charts of the prediction error: predicted against what was received later, and the two
-// sigma that the prediction claimed for it.
+// Strip charts: curves about zero against the instant they are of, between dashed lines of their spread.
 
 import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
-import { S } from './strings.js';
+import { readout } from './instruments.js';
+import { part } from './data.js';
 
-const COLOURS = ['#7cc4ff', '#56d6b0', '#d59bf6'];
-const WINDOW = 60; // [s]
+const $ = (id) => document.getElementById(id);
+const COLOURS = ['#7cc4ff', '#56d6b0', '#d59bf6', '#ffb652', '#f2f5f8', '#ff7a5c'];
 
-function options(title, width, height, rem) {
+function options(strip, width, height, rem) {
   const axis = { stroke: '#8fa1b3', grid: { stroke: '#1b2733', width: 1 }, ticks: { stroke: '#1b2733' },
     font: `${0.68 * rem}px system-ui`, size: 2.3 * rem };
+  const dashed = { stroke: '#ffb65290', width: 1, dash: [4, 4], points: { show: false } };
   return {
     width, height, legend: { show: false }, cursor: { show: false }, padding: [rem * 0.3, rem * 0.4, 0, 0],
     scales: { x: { time: false }, y: { range: (u, low, high) => {
-      const most = Math.max(Math.abs(low || 0), Math.abs(high || 0), 1);
+      const most = Math.max(Math.abs(low || 0), Math.abs(high || 0), strip.least);
       return [-most * 1.1, most * 1.1];
     } } },
-    axes: [{ ...axis, size: 1.5 * rem, gap: 1 }, { ...axis, gap: 1, space: 1.5 * rem, label: title, labelSize: 1.1 * rem,
+    axes: [{ ...axis, size: 1.5 * rem, gap: 1 }, { ...axis, gap: 1, space: 1.5 * rem, label: strip.title, labelSize: 1.1 * rem,
       labelFont: `${0.7 * rem}px system-ui` }],
-    series: [{},
-      ...['x', 'y', 'z'].map((label, i) => ({ label, stroke: COLOURS[i], width: 1.5, points: { show: false } })),
-      { stroke: '#ffb65290', width: 1, dash: [4, 4], points: { show: false } },
-      { stroke: '#ffb65290', width: 1, dash: [4, 4], points: { show: false } }],
+    series: [{}, ...strip.curves.map((_, i) => ({ stroke: COLOURS[i], width: 1.5, points: { show: false } })), dashed, dashed],
   };
 }
 
 class Strip {
-  constructor(id, title, offset) {
-    this.element = document.getElementById(id);
-    this.title = title;
-    this.offset = offset;
+  constructor(strip, window) {
+    Object.assign(this, { strip, window, element: document.createElement('div') });
   }
 
   size() {
     const rem = parseFloat(getComputedStyle(document.documentElement).fontSize);
-    const width = this.element.parentElement.clientWidth - 1.2 * rem;
+    const width = this.element.parentElement.clientWidth;
     return { width: Math.max(width, 60), height: 6.4 * rem, rem };
   }
 
-  show(errors, until) {
+  show({ t, curves, spread }, until) {
     const size = this.size();
     if (!this.plot || this.width !== size.width) {
       if (this.plot) this.plot.destroy();
-      this.plot = new uPlot(options(this.title, size.width, size.height, size.rem), [[], [], [], [], [], []], this.element);
+      this.plot = new uPlot(options(this.strip, size.width, size.height, size.rem), [[], ...curves.map(() => []), [], []], this.element);
       this.width = size.width;
     }
-    let end = errors.t.length;
-    if (until !== undefined) while (end > 0 && errors.t[end - 1] > until) end -= 1;
+    let end = t.length;
+    if (until !== undefined) while (end > 0 && t[end - 1] > until) end -= 1;
     let from = end;
-    while (from > 0 && errors.t[from - 1] > (errors.t[end - 1] ?? 0) - WINDOW) from -= 1;
+    while (from > 0 && t[from - 1] > (t[end - 1] ?? 0) - this.window) from -= 1;
     const cut = (list) => list.slice(from, end);
-    const o = this.offset;
-    const sigma = cut(errors.s[o + 1]);
-    this.plot.setData([cut(errors.t), cut(errors.e[o]), cut(errors.e[o + 1]), cut(errors.e[o + 2]),
-      sigma, sigma.map((v) => (v === null ? null : -v))]);
+    const above = cut(spread);
+    this.plot.setData([cut(t), ...curves.map(cut), above, above.map((v) => (v === null ? null : -v))]);
   }
 }
 
 export class Charts {
-  constructor() {
-    this.strips = [new Strip('chart-position', S.error_position, 0), new Strip('chart-rate', S.error_rate, 3)];
+  setDisplay({ charts }) {
+    $('strips').hidden = !charts;
+    this.note = charts?.note;
+    this.strips = (charts?.strips || []).map((strip) => new Strip(strip, charts.window_s));
+    $('charts').replaceChildren(...this.strips.map((strip) => strip.element));
+    $('charts-title').textContent = charts?.title || '';
   }
 
-  show(errors, until) {
-    for (const strip of this.strips) strip.show(errors, until);
+  show(histories, frame, until) {
+    this.strips.forEach((strip, i) => strip.show(histories[i], until));
+    if (this.note) readout(part(frame, this.note) ?? ['', false], $('charts-note'), 'dim');
   }
 }

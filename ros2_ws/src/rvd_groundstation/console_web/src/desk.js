@@ -1,6 +1,6 @@
 // The experiment desk: one dialog after the other leads a volunteer through a session.
 
-import { close, escape, open, refused } from './dialogs.js';
+import { close, escape, open, refused, sentence } from './dialogs.js';
 import { S, fill } from './strings.js';
 
 const D = S.desk;
@@ -9,6 +9,7 @@ const STEP = 5;
 export class Desk {
   constructor(link) {
     this.link = link;
+    this.task = { hint: '', goal: '' }; // the display's
     this.state = null;
     this.mine = false;
   }
@@ -63,7 +64,7 @@ export class Desk {
 
   ready() {
     const words = this.state.training ? D.training : D.counts;
-    this.frame(this.heading(), `<p>${words}</p><p>${fill(D.condition, { mode: S[`mode_${this.state.mode}`] })}</p><p class="dim">${D.hint}</p>`,
+    this.frame(this.heading(), `<p>${words}</p><p>${fill(D.condition, { mode: S[`mode_${this.state.mode}`] })}</p><p class="dim">${escape(this.task.hint)} ${D.clock}</p>`,
       `<button class="primary" id="desk-go">${D.fly}</button>`, (dialog) => {
         dialog.querySelector('#desk-go').onclick = () => this.ask('fly', {}, dialog);
         dialog.querySelector('#desk-go').focus();
@@ -98,8 +99,9 @@ export class Desk {
 
   // The decision tree of Cooper and Harper: three questions, then a choice among at most three.
   question(key) {
+    const { verdict } = this.state;
     const yesNo = `<button data-answer="yes">${D.yes}</button><button data-answer="no">${D.no}</button>`;
-    this.frame(`${this.heading()} · Cooper-Harper`, `<p class="${this.state.reason === 'docked' ? 'ok' : ''}">${S.verdict[this.state.reason] || ''}</p><p>${D.tree[key]}</p>`, yesNo, (dialog) => {
+    this.frame(`${this.heading()} · Cooper-Harper`, `<p class="${verdict.success ? 'ok' : ''}">${escape(sentence(verdict.words || ''))}</p><p>${escape(fill(D.tree[key], { goal: this.task.goal }))}</p>`, yesNo, (dialog) => {
       dialog.querySelector('[data-answer=yes]').focus();
       for (const button of dialog.querySelectorAll('[data-answer]')) {
         button.onclick = () => this.answered(key, button.dataset.answer === 'yes');

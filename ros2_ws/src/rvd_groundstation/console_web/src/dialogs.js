@@ -1,7 +1,7 @@
 // What opens over the page: help, stick settings, new run, verdict, the list of runs.
 
-import { HELP, REFUSED, S, fill } from './strings.js';
-import { number } from './instruments.js';
+import { HELP, KEYS, REFUSED, S, fill } from './strings.js';
+import { limitWords, number } from './instruments.js';
 
 const box = () => document.getElementById('dialog');
 
@@ -30,9 +30,25 @@ export function message(title, text) {
   open(`<h3>${escape(title)}</h3><p>${escape(text)}</p><div class="buttons">${closeButton}</div>`);
 }
 
-export function help() {
-  const rows = HELP.map(([keys, what]) => (keys
-    ? `<tr><td><kbd>${keys}</kbd></td><td>${what}</td></tr>` : `<tr><td colspan="2">${what}</td></tr>`));
+const keyName = (code) => KEYS[code] || code.replace(/^Key/, '');
+
+// The keys of the hand controller, then those of the page.
+function keyRows(display) {
+  const controller = display?.controller;
+  const rows = (controller?.axes || []).map((axis) => [
+    axis.keys.map((pair) => pair.map(keyName).join(' / ')).join(` ${S.or} `),
+    `${controller.verb} ${axis.positive} / ${axis.negative} (${axis.name})`]);
+  const steps = controller?.key_deflections.length || 0;
+  if (steps > 1) rows.push([Array.from({ length: steps }, (_, i) => i + 1).join(' '), fill(S.help_step, { name: controller.step_name })]);
+  return rows;
+}
+
+export function help(display) {
+  const modes = (display?.modes || []).map((mode) => S[`mode_${mode}`].toLowerCase()).join(', ');
+  const abort = display?.abort ? `: ${display.abort}` : '';
+  const [[takeKey, takeWords], ...others] = HELP.map(([keys, what]) => [keys, fill(what, { modes, abort })]);
+  const rows = [[takeKey, takeWords], ...keyRows(display), ...others].map(([keys, what]) => (keys
+    ? `<tr><td><kbd>${escape(keys)}</kbd></td><td>${escape(what)}</td></tr>` : `<tr><td colspan="2">${escape(what)}</td></tr>`));
   open(`<h3>${S.help_title}</h3><table>${rows.join('')}</table><div class="buttons">${closeButton}</div>`);
 }
 
@@ -45,17 +61,18 @@ export function newRun(store, start) {
     message(S.new_run, S.no_fly);
     return;
   }
+  const modes = store.display?.modes || [];
   const mode = store.frame?.mode || store.run?.mode || 'shared';
-  const options = ['manual', 'shared', 'auto'].map((m) => `<option value="${m}" ${m === mode ? 'selected' : ''}>${S[`mode_${m}`]}</option>`);
+  const options = modes.map((m) => `<option value="${m}" ${m === mode ? 'selected' : ''}>${S[`mode_${m}`]}</option>`);
   open(`<h3>${S.new_run}</h3><p>${S.new_run_text}</p>
-    <p><label>${S.mode} <select id="new-mode">${options.join('')}</select></label>
-    &nbsp; <label>${S.seed} <input id="new-seed" size="8" inputmode="numeric" placeholder="${S.seed_hint}"></label></p>
+    <p>${modes.length ? `<label>${S.mode} <select id="new-mode">${options.join('')}</select></label> &nbsp;` : ''}
+    <label>${S.seed} <input id="new-seed" size="8" inputmode="numeric" placeholder="${S.seed_hint}"></label></p>
     <p id="new-error" class="alarm"></p>
     <div class="buttons"><button data-close>${S.cancel}</button><button class="primary" id="new-start">${S.start}</button></div>`,
   (dialog) => {
     const go = async () => {
       const text = dialog.querySelector('#new-seed').value.trim();
-      const wish = { do: 'fly', mode: dialog.querySelector('#new-mode').value };
+      const wish = { do: 'fly', mode: dialog.querySelector('#new-mode')?.value ?? null };
       if (text) wish.seed = Number(text);
       const reply = await start(wish);
       if (reply.ok) dialog.close();
@@ -69,12 +86,11 @@ export function newRun(store, start) {
 
 export function verdict(v, canFly, again) {
   const good = v.success;
-  const row = (name, value, digits, unit) => `<tr><th>${name}</th><td>${number(value, digits)} ${unit}</td></tr>`;
+  const row = (name, value, limit, ok) => `<tr><th>${escape(name)}</th><td class="${ok === false ? 'alarm' : ''}">${escape(value)}</td><td class="dim">${escape(limit)}</td></tr>`;
+  const rows = v.measures.filter((m) => m.value !== null).map((m) => row(m.words, `${number(m.value, m.digits)} ${m.unit}`, limitWords(null, m, m.digits), m.ok));
   open(`<h3>${S.verdict_title}</h3>
-    <p class="verdict ${good ? 'ok' : 'alarm'}" id="verdict-words">${good ? '✓' : '✗'} ${S.verdict[v.reason] || escape(v.reason)}</p>
-    <table>${row(S.verdict_time, v.duration, 1, 's')}${row(S.verdict_closing, v.closing, 4, 'm/s')}
-    ${row(S.verdict_offset, v.offset, 3, 'm')}${row(S.verdict_lateral, v.lateral, 4, 'm/s')}
-    ${row(S.verdict_margin, v.margin, 3, 'm')}${row(S.verdict_dv, v.delta_v, 3, 'm/s')}</table>
+    <p class="verdict ${good ? 'ok' : 'alarm'}" id="verdict-words">${good ? '✓' : '✗'} ${escape(sentence(v.words))}</p>
+    <table>${row(S.verdict_time, `${number(v.duration, 1)} s`, '', null)}${rows.join('')}</table>
     <div class="buttons">${closeButton}${canFly ? `<button class="primary" id="again">${S.fly_again}</button>` : ''}</div>`,
   (dialog) => {
     const button = dialog.querySelector('#again');
@@ -84,20 +100,23 @@ export function verdict(v, canFly, again) {
 
 export function stickSettings(stick) {
   const s = stick.settings;
-  const row = (axis) => `<tr><td>${S[`settings_${axis}`]}</td>
-    <td><label>${S.settings_axis} <input type="number" min="0" max="15" style="width:4em" data-axis="${axis}" value="${s[axis].axis}"></label></td>
-    <td><label><input type="checkbox" data-invert="${axis}" ${s[axis].sign < 0 ? 'checked' : ''}> ${S.settings_invert}</label></td></tr>`;
+  const row = (axis) => {
+    const { axis: index, sign } = stick.wiring(axis);
+    return `<tr><td>${escape(`${axis.positive} / ${axis.negative}`)}</td>
+    <td><label>${S.settings_axis} <input type="number" class="short" min="0" max="15" data-axis="${axis.name}" value="${index}"></label></td>
+    <td><label><input type="checkbox" data-invert="${axis.name}" ${sign < 0 ? 'checked' : ''}> ${S.settings_invert}</label></td></tr>`;
+  };
   open(`<h3>${S.settings_title}</h3><p id="pad-name">${stick.gamepad ? escape(fill(S.settings_found, { name: stick.gamepad.id })) : S.settings_none}</p>
-    <table>${row('x')}${row('y')}${row('z')}</table>
-    <p><label>${S.settings_button} <input type="number" min="0" max="31" style="width:4em" id="pad-button" value="${s.button}"></label></p>
+    <table>${stick.axes.map(row).join('')}</table>
+    <p><label>${S.settings_button} <input type="number" class="short" min="0" max="31" id="pad-button" value="${s.button}"></label></p>
     <p><label>${S.settings_dead_zone} <input type="range" min="0" max="0.4" step="0.01" id="pad-zone" value="${s.deadZone}"></label></p>
     <p><label><input type="checkbox" id="hold-space" ${s.holdSpace ? 'checked' : ''}> ${S.settings_space}</label></p>
     <div class="buttons">${closeButton}</div>`,
   (dialog) => {
     dialog.onchange = () => {
-      const part = (axis) => ({ axis: Number(dialog.querySelector(`[data-axis=${axis}]`).value),
-        sign: dialog.querySelector(`[data-invert=${axis}]`).checked ? -1 : 1 });
-      stick.change({ x: part('x'), y: part('y'), z: part('z'),
+      const wiring = ({ name }) => [name, { axis: Number(dialog.querySelector(`[data-axis="${name}"]`).value),
+        sign: dialog.querySelector(`[data-invert="${name}"]`).checked ? -1 : 1 }];
+      stick.change({ axes: { ...s.axes, ...Object.fromEntries(stick.axes.map(wiring)) },
         button: Number(dialog.querySelector('#pad-button').value),
         deadZone: Number(dialog.querySelector('#pad-zone').value),
         holdSpace: dialog.querySelector('#hold-space').checked });
@@ -109,9 +128,11 @@ export function runsShown() {
   return box().open && box().querySelector('#runs') !== null;
 }
 
+export const sentence = (words) => words.charAt(0).toUpperCase() + words.slice(1);
+
 export function runList(rows, choose) {
   const lines = rows.map((row) => `<tr><td>${escape(row.name)}</td><td>${escape(row.mode || '')}</td>
-    <td class="${row.success ? 'ok' : ''}">${row.success ? '✓' : '✗'} ${escape(S.verdict[row.reason] || row.reason || '')}</td>
+    <td class="${row.success ? 'ok' : ''}">${row.success ? '✓' : '✗'} ${escape(sentence((row.reason || '').replaceAll('_', ' ')))}</td>
     <td><button data-run="${escape(row.name)}">${S.review_open}</button></td></tr>`);
   open(`<h3 id="runs">${S.review_title}</h3><p class="dim">${S.review_truth}</p>
     ${rows.length ? `<table>${lines.join('')}</table>` : `<p>${S.review_none}</p>`}

@@ -6,10 +6,11 @@ const SAMPLE_MS = 20;
 const BEAT_MS = 350; // a page whose thread is silent for longer has let go of the stick
 const RETRY_MS = 1000;
 const STICK_KIND = 1;
+const AXES = 6; // in a sample, whatever the mission has
 
 let socket = null;
 let address = null;
-let stick = { held: false, x: 0, y: 0, z: 0 };
+let stick = { held: false, at: [] };
 let beatAt = 0;
 let flying = false; // we hold the lease
 let sequence = 0;
@@ -17,7 +18,7 @@ let lastFrame = 0;
 let closedFor = '';
 let logging = false; // for the benchmark: tell when each sample went out
 
-const bytes = new ArrayBuffer(24);
+const bytes = new ArrayBuffer(4 + 4 * AXES + 8);
 const view = new DataView(bytes);
 
 function sample() {
@@ -29,12 +30,10 @@ function sample() {
   view.setUint8(0, STICK_KIND);
   view.setUint8(1, held ? 1 : 0);
   view.setUint16(2, sequence, true);
-  view.setFloat32(4, held ? stick.x : 0, true);
-  view.setFloat32(8, held ? stick.y : 0, true);
-  view.setFloat32(12, held ? stick.z : 0, true);
-  view.setFloat64(16, performance.timeOrigin + performance.now(), true);
+  for (let i = 0; i < AXES; i += 1) view.setFloat32(4 + 4 * i, (held && stick.at[i]) || 0, true);
+  view.setFloat64(4 + 4 * AXES, performance.timeOrigin + performance.now(), true);
   socket.send(bytes);
-  if (logging) postMessage({ type: 'sent', sequence, at: view.getFloat64(16, true) });
+  if (logging) postMessage({ type: 'sent', sequence, at: view.getFloat64(4 + 4 * AXES, true) });
 }
 
 function open() {

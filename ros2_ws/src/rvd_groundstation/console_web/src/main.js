@@ -1,14 +1,14 @@
 // The page: words into their places, messages into the store, the store onto the screen.
 
 import { say } from './canvas.js';
-import { Charts } from './charts.js';
 import { Desk } from './desk.js';
 import * as dialogs from './dialogs.js';
-import { Motion, Thrust, bullseye, clock, dial, errorRms, linkCounts, number, reticle } from './instruments.js';
-import { counts, ladder } from './ladder.js';
+import { number } from './instruments.js';
+import { inForce } from './ladder.js';
 import { link } from './link.js';
+import { Panels } from './panels.js';
 import { Review } from './review.js';
-import { Scene, VIEWS, scaleText } from './scene.js';
+import { Scene } from './scene.js';
 import { Stick, typing } from './stick.js';
 import { Store } from './store.js';
 import { S, fill } from './strings.js';
@@ -18,26 +18,22 @@ const FRAME_MS = 1000 / 30;
 const [READ_MS, IDLE_MS] = [60, 120]; // between two looks of the instruments: a new frame, an old one
 const STALE_S = 1.0; // beyond what the delay explains
 const ARM_MS = 2000; // between the two presses of ABORT
-const MODES = ['manual', 'shared', 'auto'];
 
 for (const element of document.querySelectorAll('[data-s]')) element.textContent = S[element.dataset.s];
 for (const element of document.querySelectorAll('[data-a]')) element.setAttribute('aria-label', S[element.dataset.a]);
 
 const store = new Store();
-const motion = new Motion();
-const thrust = new Thrust();
-const charts = new Charts();
 const scene = new Scene($('gl'), $('view'), $('camera'), $('labels'));
+const panels = new Panels(scene);
 scene.enabled = !new URLSearchParams(location.search).has('plain'); // for weak machines
 let armedAt = -Infinity;
 let drawnAt = 0;
 let readAt = 0;
 let readFrame = null;
 let shownVerdict = null;
-let chartsAt = 0;
 const stick = new Stick((state, now) => link?.stick(state, now));
 const desk = new Desk(link);
-const review = new Review(link, scene, charts, () => refreshRun());
+const review = new Review(link, panels, () => refreshRun());
 
 function take(message) {
   if (message.type === 'desk') {
@@ -46,7 +42,7 @@ function take(message) {
   }
   const phase = store.status.phase;
   store.take(message);
-  if (message.type === 'run' && !review.on) refreshRun();
+  if ((message.type === 'run' || message.type === 'hello') && !review.on) refreshRun();
   if (message.type === 'status') {
     if (message.phase === 'starting' && phase !== 'starting') dialogs.close();
     if (message.phase === 'ended' && phase === 'closing' && dialogs.runsShown()) review.list();
@@ -63,9 +59,15 @@ function take(message) {
 }
 
 function refreshRun() {
-  if (!store.run) return;
-  scene.setRun(store.run);
-  motion.setRun(store.run);
+  const { display } = store;
+  if (!display) return;
+  panels.setDisplay(display);
+  stick.setController(display.controller);
+  desk.task = { hint: display.hint, goal: display.goal };
+  if (!store.run) {
+    $('run-name').textContent = '';
+    return;
+  }
   $('run-name').textContent = `${store.run.name} · ${store.run.forward_s} s + ${store.run.back_s} s`;
   $('run-name').title = $('run-name').textContent;
 }
@@ -107,22 +109,15 @@ function newRun() {
   dialogs.newRun(store, (wish) => link.ask(wish));
 }
 
-function nextView() {
-  setView(VIEWS[(VIEWS.indexOf(scene.kind) + 1) % VIEWS.length]);
-}
-
-function setView(kind) {
-  scene.kind = kind;
-  for (const button of document.querySelectorAll('[data-view]')) {
-    button.setAttribute('aria-pressed', String(button.dataset.view === kind));
-  }
-  $('scale').textContent = scaleText(kind);
+function nextMode() {
+  const modes = store.display?.modes || [];
+  if (modes.length) setMode(modes[(modes.indexOf(store.frame?.mode) + 1) % modes.length]);
 }
 
 const PRESSES = {
-  KeyT: toggleLease, KeyP: togglePause, KeyX: abort, KeyN: newRun, KeyV: nextView,
-  KeyL: () => review.list(), KeyG: () => dialogs.stickSettings(stick), Slash: dialogs.help,
-  KeyM: () => setMode(MODES[(MODES.indexOf(store.frame?.mode) + 1) % 3]),
+  KeyT: toggleLease, KeyP: togglePause, KeyX: abort, KeyN: newRun, KeyV: () => panels.nextView(),
+  KeyL: () => review.list(), KeyG: () => dialogs.stickSettings(stick), Slash: () => dialogs.help(store.display),
+  KeyM: nextMode,
   Equal: () => scene.zoom(0.85), Minus: () => scene.zoom(1.18),
   BracketLeft: () => scene.turn(0.15, 0), BracketRight: () => scene.turn(-0.15, 0),
 };
@@ -137,14 +132,8 @@ $('abort').onclick = abort;
 $('restart').onclick = newRun;
 $('open-review').onclick = () => review.list();
 $('open-settings').onclick = () => dialogs.stickSettings(stick);
-$('open-help').onclick = dialogs.help;
+$('open-help').onclick = () => dialogs.help(store.display);
 for (const button of document.querySelectorAll('[data-mode]')) button.onclick = () => setMode(button.dataset.mode);
-for (const button of document.querySelectorAll('[data-view]')) button.onclick = () => setView(button.dataset.view);
-$('legend').innerHTML = [['measured', 'measured', ''], ['predicted', 'predicted', ''], ['drift', 'predicted', 'dash'],
-  ['wall', '', ''], ['boundary', '', 'dash']].map(([key, tone, dash]) => `<span class="${tone} ${dash}" data-legend="${key}">${S.legend[key]}</span>`).join('');
-document.querySelector('[data-legend=wall]').style.color = '#8aa4bd';
-document.querySelector('[data-legend=boundary]').style.color = '#b9c2a0';
-setView('orbit');
 
 // -- what the page shows ------------------------------------------------------------------
 
@@ -163,7 +152,7 @@ function showStatus() {
 
 function banner(words, small, alarm) {
   const element = $('banner');
-  const html = words ? `${words}${small ? `<small>${small}</small>` : ''}` : '';
+  const html = words ? `${dialogs.escape(words)}${small ? `<small>${dialogs.escape(small)}</small>` : ''}` : '';
   if (element.dataset.said !== html) {
     element.dataset.said = html;
     element.innerHTML = html;
@@ -179,56 +168,37 @@ function showBanner(silence) {
   else if (status.note === 'failed') banner(S.run_failed, '', true);
   else if (silence > STALE_S) banner(fill(S.stale_frames, { s: silence.toFixed(0) }), '', true);
   else if (store.abortAt !== null && !verdict && frame) {
-    const acts = [...store.ladder.values()].some((rung) => rung.kind === 3 && (rung.state === 2 || rung.state === 3));
-    banner(acts ? S.aborted : fill(S.abort_sent, { s: Math.max(0, run.forward_s - (frame.t - store.abortAt)).toFixed(0) }), '', true);
+    const acts = [...store.ladder.values()].some(inForce);
+    const does = store.display.abort;
+    banner(acts ? does ? fill(S.aborted_so, { does }) : S.aborted : fill(S.abort_sent, { s: Math.max(0, run.forward_s - (frame.t - store.abortAt)).toFixed(0) }), '', true);
   } else if (status.pilot_lost) banner(S.pilot_lost, '', true);
   else if (frame?.paused) banner(S.paused, '');
-  else if (frame && !frame.tm && status.phase === 'flying') banner(S.no_telemetry, fill(S.first_in, { s: Math.max(0, run.back_s - frame.t).toFixed(0) }));
-  else if (verdict) banner(S.verdict[verdict.reason] || verdict.reason, '', !verdict.success);
+  else if (frame && !store.measured && status.phase === 'flying') banner(S.no_telemetry, fill(S.first_in, { s: Math.max(0, run.back_s - frame.t).toFixed(0) }));
+  else if (verdict) banner(dialogs.sentence(verdict.words), '', !verdict.success);
   else banner('');
 }
 
 function showStick() {
   const mine = store.status.lease === 'you';
   const held = stick.state().held;
-  const words = !mine ? S.stick_watch : held ? `${S.stick_held} · ${S[stick.source]}` : S.stick_open;
+  const words = !mine ? S.stick_watch : !stick.axes.length ? S.stick_none : held ? `${S.stick_held} · ${S[stick.source]}` : S.stick_open;
   say($('stick-state'), words);
   $('stick-state').className = !mine ? 'dim' : held ? 'ok' : 'alarm';
-  say($('level'), mine && stick.source === 'keyboard' ? `${S.level} ${stick.level}` : '');
+  const step = store.display?.controller?.step_name;
+  say($('step'), mine && stick.source === 'keyboard' && stick.deflections.length > 1 ? `${step} ${stick.step}` : '');
 }
 
 function showClocks(frame, now) {
-  const { run } = store;
-  const age = frame.tm ? now - frame.tm.gen : null;
+  const { run, measured } = store;
+  const age = measured ? now - measured.t : null;
   const stale = age !== null && age > run.back_s + STALE_S * Math.max(run.pace, 1);
-  clock('gen', frame.tm ? frame.tm.gen : null, age === null ? '' : fill(S.age, { s: number(age, 1) }), stale);
-  clock('rx', frame.tm ? frame.tm.rx : null, frame.tm ? fill(S.ago, { s: number(Math.max(now - frame.tm.rx, 0), 1) }) : '', stale);
-  clock('pred', frame.pred?.ok ? frame.pred.t : null, frame.pred?.ok ? fill(S.ahead, { s: number(frame.pred.t - now, 1) }) : '', stale);
+  panels.clocks(frame, now, age === null ? '' : fill(S.age, { s: number(age, 1) }),
+    measured ? fill(S.ago, { s: number(Math.max(now - measured.received, 0), 1) }) : '', stale);
   return stale;
 }
 
-function leaveText(outlook) {
-  if (!outlook) return [S.unknown, false];
-  if (outlook.d < 0) return [S.leave_out, true];
-  if (outlook.leave === null) return [S.leave_never, false];
-  return [`${outlook.leave.toFixed(0)} s`, outlook.leave < store.run.forward_s + store.run.back_s];
-}
-
-function tubeOf(frame) {
-  const { run, trail } = store;
-  if (!frame.est?.ok || !frame.pred?.ok) return [];
-  const begin = frame.est.t - run.forward_s; // a prediction shown at t was for t + forward
-  const points = [[...frame.est.x.slice(0, 3), 2 * (frame.est.s ? Math.max(frame.est.s[1], frame.est.s[2]) : 0.02)]];
-  const some = trail.filter((row) => row[0] > begin);
-  const stride = Math.max(1, Math.floor(some.length / 24));
-  for (let i = 0; i < some.length; i += stride) points.push([...some[i].slice(4, 7), 2 * some[i][7]]);
-  const s = frame.pred.s ? Math.max(frame.pred.s[1], frame.pred.s[2]) : 0.05;
-  points.push([...frame.pred.x.slice(0, 3), 2 * s]);
-  return points;
-}
-
 function showFrame() {
-  const { frame, run } = store;
+  const { frame, run, history } = store;
   const silence = store.silence();
   showBanner(silence);
   showStick();
@@ -240,25 +210,7 @@ function showFrame() {
   const now = store.now();
   const stale = showClocks(frame, now) || silence > STALE_S || !store.connected;
   document.body.classList.toggle('stale', stale);
-  const first = frame.tm?.x;
-  const second = frame.pred?.ok ? frame.pred.x : null;
-  motion.show(first, second, run, stale);
-  bullseye($('bullseye'), run, first, second, frame.pred?.s, frame.margin);
-  const [words, alarm] = leaveText(frame.margin);
-  say($('leave-time'), words);
-  $('leave-time').className = alarm ? 'alarm' : '';
-  thrust.show(frame.pilot, frame.auto, frame.cmd);
-  dial($('dial'), run, frame.rtt, frame.tm?.transit);
-  linkCounts(frame, run.step_s);
-  ladder($('ladder'), run, store.ladder.values(), now);
-  say($('ladder-counts'), counts(store.ladder.values()));
-  scene.place({ measured: first?.slice(0, 3), predicted: second?.slice(0, 3), trail: store.trail.map((row) => row.slice(1, 4)),
-    tube: tubeOf(frame), drift: frame.margin?.path, stale });
-  if (performance.now() - chartsAt > 250) {
-    chartsAt = performance.now();
-    charts.show(store.errors);
-    errorRms(frame.score);
-  }
+  panels.show({ run, frame, history, rungs: [...store.ladder.values()], now, stale });
 }
 
 // The scene moves in every picture; what is read changes with a frame, and no eye reads faster.
@@ -271,17 +223,11 @@ function draw(at) {
   if (due) {
     readAt = at;
     readFrame = store.frame;
-    if (review.on) review.show({ motion, thrust, tubeOf });
+    if (review.on) review.show();
     else showFrame();
   }
   scene.draw();
-  if (due) showReticle();
-}
-
-function showReticle() {
-  const { frame } = store;
-  const shown = review.on ? review.camera() : frame && { state: frame.tm?.x, predicted: frame.pred?.ok ? frame.pred.x : null };
-  if (shown && (store.run || review.run)) reticle($('reticle'), scene, review.on ? review.run : store.run, shown.state, shown.predicted);
+  if (due) panels.showReticle(review.on ? review.frame() : store.frame);
 }
 
 showStatus();

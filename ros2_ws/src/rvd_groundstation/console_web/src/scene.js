@@ -1,18 +1,22 @@
 // The scene: one WebGL canvas behind the page, drawn into the rectangles of two elements: the
-// view (orbit, side or top) and the docking camera.
+// view that was chosen and, where the mission has one, the camera.
 
 import * as THREE from 'three';
-import { COLOURS, Path, Tube, chaser, corridor, ghost, sky, target } from './craft.js';
+import { Path, Tube, colourOf, figure, sky, surface } from './shapes.js';
 import { SOFTWARE } from './canvas.js';
+import { DIRECTIONS, along, part, place, trailOf } from './data.js';
 import { S, fill } from './strings.js';
 
-export const VIEWS = ['orbit', 'side', 'top'];
-const EXAGGERATED = 4; // of the lateral axis in side and top views
-const SPAN = 40; // [m] along x in side and top views
-const BODY = 1; // layer of the chaser itself, which its own camera does not see
+const CARRIED = 1; // layer of what moves, which a camera on board does not see
 const MAX_PIXELS = 2.2e6;
 const [SLOW_MS, FAST_MS, LEAST_QUALITY] = [60, 38, 0.35]; // between two pictures
 const MOST_QUALITY = SOFTWARE ? 0.5 : 1; // pixels that the processor draws it lacks for the loop
+const TRAIL_POINTS = 1000;
+const AHEAD_POINTS = 24; // of the way ahead
+const LINE_POINTS = 64;
+const [LIT, GREY] = [0x0d2233, 0x30353a]; // glow of what was measured: fresh, too old
+
+const vector = (direction) => new THREE.Vector3(...DIRECTIONS[direction]);
 
 export class Scene {
   constructor(canvas, view, camera, labels) {
@@ -27,30 +31,11 @@ export class Scene {
     sun.position.set(-6, 9, 5);
     this.scene.add(sun);
     this.far = new THREE.Scene();
-    this.far.add(sky());
-    this.static = null;
-    this.measured = chaser();
-    this.ghost = ghost(COLOURS.predicted);
-    this.truth = ghost(COLOURS.truth);
-    for (const body of [this.measured, this.ghost, this.truth]) body.visible = false;
-    this.measured.traverse((part) => part.layers.set(BODY));
-    for (const body of [this.truth, this.ghost]) body.traverse((part) => part.layers.set(BODY));
-    this.tube = new Tube(COLOURS.predicted);
-    this.lines = {
-      measured: new Path(COLOURS.measured, 800), predicted: new Path(COLOURS.predicted, 200),
-      drift: new Path(COLOURS.predicted, 32, true), truth: new Path(COLOURS.truth, 2500),
-    };
-    this.scene.add(this.measured, this.ghost, this.truth, this.tube.mesh,
-      ...Object.values(this.lines).map((path) => path.line));
-    for (const path of Object.values(this.lines)) path.line.layers.set(BODY);
-    this.tube.mesh.layers.set(BODY);
     this.perspective = new THREE.PerspectiveCamera(32, 1, 0.1, 2000);
     this.ortho = new THREE.OrthographicCamera(-1, 1, 1, -1, -100, 200);
-    this.dock = new THREE.PerspectiveCamera(20, 1, 0.02, 2000);
-    this.dock.up.set(0, 1, 0);
-    for (const lens of [this.perspective, this.ortho]) lens.layers.enable(BODY);
-    this.orbit = { azimuth: 2.35, height: 0.34, zoom: 1, focus: new THREE.Vector3(-13, 0, 0) };
-    this.kind = 'orbit';
+    this.onboard = new THREE.PerspectiveCamera(20, 1, 0.02, 2000);
+    for (const lens of [this.perspective, this.ortho]) lens.layers.enable(CARRIED);
+    Object.assign(this, { display: null, world: null, items: new Map(), bodies: [], eyes: [], chosen: 0 });
     Object.assign(this, { enabled: true, drawn: 0, quality: MOST_QUALITY, adaptive: true, pace: 33, since: 0 });
     this.marks = new Map();
     this.follow(view);
@@ -73,27 +58,105 @@ export class Scene {
     this.resize();
   }
 
-  setRun(run) {
-    if (this.static) this.scene.remove(this.static);
-    this.static = new THREE.Group();
-    this.start = run.start;
-    this.station = target(run.limits.offset);
-    this.static.add(this.station, corridor(run.geometry));
-    this.scene.add(this.static);
+  // -- what is in it ------------------------------------------------------------------------------
+
+  setDisplay(display) {
+    for (const old of [this.world, ...this.far.children]) discard(old);
+    this.far.clear();
+    this.far.add(sky(display));
+    this.world = new THREE.Group();
+    this.scene.add(this.world);
+    this.items.clear();
+    this.bodies = display.bodies.map((body) => this.add(body, figure(body), !Array.isArray(body.place)));
+    this.moving = this.bodies.filter(({ moves }) => moves);
+    for (const one of display.surfaces) {
+      const item = this.add(one, surface(one), one.kind === 'sphere' && !Array.isArray(one.place));
+      if (item.moves) this.moving.push(item);
+      else if (one.kind === 'sphere') item.object.position.set(...one.place);
+    }
+    this.lines = display.lines.map((line) => this.addLine(line));
+    this.eyes = display.views.map((view) => ({ azimuth: view.azimuth_rad, height: view.height_rad, zoom: 1,
+      focus: view.kind === 'perspective' ? new THREE.Vector3(...lookedAt(view, null)) : null }));
+    if (this.display === null || this.chosen >= display.views.length) this.chosen = 0;
+    this.display = display;
+    this.frame = null;
     this.shot = [];
-    for (const path of Object.values(this.lines)) path.set([]);
-    this.tube.set([]);
   }
+
+  add(item, object, moves) {
+    const made = { item, object, moves };
+    if (moves) {
+      object.visible = false;
+      object.traverse((inner) => inner.layers.set(CARRIED));
+    } else if (item.kind === 'body') object.position.set(...item.place);
+    this.items.set(item.name, object);
+    this.world.add(object);
+    return made;
+  }
+
+  addLine(line) {
+    const stands = Array.isArray(line.points);
+    const most = stands ? line.points.length : line.kind === 'line' ? LINE_POINTS : line.since ? AHEAD_POINTS + 3 : TRAIL_POINTS;
+    const path = new Path(line.role, most, line.dashed);
+    if (stands) path.set({ rows: line.points, at: 0, n: most });
+    else path.line.layers.set(CARRIED);
+    this.items.set(line.name, path.line);
+    this.world.add(path.line);
+    const tube = line.spread ? new Tube(line.role) : null;
+    if (tube) {
+      tube.mesh.layers.set(CARRIED);
+      this.world.add(tube.mesh);
+    }
+    return { line, path, tube, stands };
+  }
+
+  // Put everything where a frame says; trails as they were at `now`.
+  place(frame, history, now, stale) {
+    this.frame = frame;
+    for (const { item, object } of this.moving) {
+      const at = place(frame, item.place, item.axes);
+      object.visible = Boolean(at);
+      if (at) object.position.set(...at);
+      const turn = at && item.attitude ? part(frame, item.attitude) : undefined;
+      if (turn) object.inner.quaternion.set(...turn);
+      if (item.role === 'measured' && object.inner?.lit) object.inner.lit.emissive.setHex(stale ? GREY : LIT);
+    }
+    for (const { line, path, tube, stands } of this.lines) {
+      if (stands) continue;
+      if (line.kind === 'line') {
+        const rows = part(frame, line.points) || [];
+        path.set({ rows, at: 0, n: rows.length });
+      } else {
+        const trail = trailOf(line, history?.trails.get(line.name) || [], frame, now, AHEAD_POINTS);
+        path.set(trail);
+        tube?.set(trail);
+      }
+    }
+  }
+
+  // The first body of a list whose place the frame tells.
+  known(names) {
+    for (const name of names) {
+      const { item } = this.bodies.find((body) => body.item.name === name);
+      const at = place(this.frame, item.place, item.axes);
+      if (at) return { item, at };
+    }
+    return null;
+  }
+
+  // -- where it is drawn --------------------------------------------------------------------------
 
   // The canvas covers what is drawn into and no more: where the processor puts the page together,
   // each picture costs by the area. Places are asked for here alone, as asking costs a layout.
   resize() {
-    const [view, camera] = [this.elements.view, this.elements.camera].map((e) => e.getBoundingClientRect());
-    const [left, top] = [Math.min(view.left, camera.left), Math.min(view.top, camera.top)];
-    const width = Math.max(view.right, camera.right) - left;
-    const height = Math.max(view.bottom, camera.bottom) - top;
+    const rects = [this.elements.view, this.elements.camera].map((e) => e.getBoundingClientRect());
+    const shown = rects.filter((r) => r.width > 0);
+    const left = Math.min(...shown.map((r) => r.left));
+    const top = Math.min(...shown.map((r) => r.top));
+    const width = Math.max(...shown.map((r) => r.right)) - left;
+    const height = Math.max(...shown.map((r) => r.bottom)) - top;
     const inside = (r) => ({ left: r.left - left, bottom: top + height - r.bottom, width: r.width, height: r.height });
-    this.places = { view: inside(view), camera: inside(camera) };
+    this.places = { view: inside(rects[0]), camera: inside(rects[1]) };
     const { canvas } = this;
     Object.assign(canvas.style, { left: `${left}px`, top: `${top}px`, width: `${width}px`, height: `${height}px` });
     const ratio = Math.min(devicePixelRatio || 1, Math.sqrt(MAX_PIXELS / Math.max(width * height, 1)));
@@ -103,7 +166,7 @@ export class Scene {
     this.renderer.setClearColor(0x080c12, 1);
     this.renderer.clear();
     this.renderer.setScissorTest(true);
-    this.shot = []; // where the docking camera was in its last picture
+    this.shot = []; // where the camera on board was in its last picture
     this.tall = parseFloat(getComputedStyle(this.elements.labels).fontSize); // of a label, nearly
   }
 
@@ -128,91 +191,82 @@ export class Scene {
   }
 
   turn(azimuth, height) {
-    this.orbit.azimuth += azimuth;
-    this.orbit.height = Math.max(-1.4, Math.min(1.4, this.orbit.height + height));
+    const eye = this.eyes[this.chosen];
+    if (!eye?.focus) return;
+    eye.azimuth += azimuth;
+    eye.height = Math.max(-1.4, Math.min(1.4, eye.height + height));
   }
 
   zoom(by) {
-    this.orbit.zoom = Math.max(0.15, Math.min(4, this.orbit.zoom * by));
+    const eye = this.eyes[this.chosen];
+    if (eye) eye.zoom = Math.max(0.15, Math.min(4, eye.zoom * by));
   }
 
-  // Put the bodies where the content says. `tube` rows [x, y, z, radius].
-  place({ measured, predicted, truth, trail, tube, drift, truthTrail, stale }) {
-    put(this.measured, measured);
-    put(this.ghost, predicted);
-    put(this.truth, truth);
-    this.measured.material.emissive.setHex(stale ? 0x30353a : 0x0d2233);
-    this.lines.measured.set(trail);
-    this.lines.predicted.set(tube);
-    this.lines.drift.set(drift || []);
-    this.lines.truth.set(truthTrail || []);
-    this.tube.set(tube);
-    this.seen = { measured, predicted, truth };
-  }
+  // -- a picture ----------------------------------------------------------------------------------
 
   draw() {
-    if (!this.enabled) return;
+    if (!this.enabled || !this.display) return;
     this.drawn += 1;
     const { view, camera } = this.places;
-    const squeeze = this.kind === 'orbit' ? 1 : 1 / EXAGGERATED;
-    const bodies = [this.measured, this.ghost, this.truth, this.station].filter(Boolean);
-    for (const body of bodies) {
-      body.scale.set(1, this.kind === 'side' ? squeeze : 1, this.kind === 'top' ? squeeze : 1);
-    }
-    const lens = this.lens(view);
-    this.into(view, lens, this.kind === 'orbit');
-    this.label(lens, view);
-    for (const body of bodies) body.scale.set(1, 1, 1);
-    const eye = (this.seen && (this.seen.truth || this.seen.measured)) || this.start || [-30, 0, 0];
-    // The docking camera sees what does not move, so its picture changes with its place alone.
-    if (camera.height > 20 && eye.some((c, i) => c !== this.shot[i])) {
-      this.shot = eye.slice(0, 3);
-      this.aim(eye, camera);
-      this.into(camera, this.dock, true);
+    const chosen = this.display.views[this.chosen];
+    const flat = chosen.kind === 'flat';
+    if (flat) for (const { object } of this.bodies) object.scale.setComponent('xyz'.indexOf(chosen.up[1]), 1 / chosen.stretch);
+    const lens = flat ? this.flat(chosen, view) : this.orbit(chosen, view);
+    this.into(view, lens, !flat);
+    this.label(lens, view, flat ? chosen : null);
+    if (flat) for (const { object } of this.bodies) object.scale.set(1, 1, 1);
+    if (!this.display.camera || camera.height <= 20) return;
+    // The camera sees what does not move, so its picture changes with its place alone.
+    const eye = this.known(this.display.camera.carried_by)?.at || this.display.camera.start_m;
+    if (eye.some((c, i) => c !== this.shot[i])) {
+      this.shot = [...eye];
+      this.aim(this.display.camera, eye, camera);
+      this.into(camera, this.onboard, true);
     }
   }
 
-  lens(rect) {
+  orbit(view, rect) {
+    const lens = this.perspective;
     const aspect = rect.width / Math.max(rect.height, 1);
-    if (this.kind === 'orbit') {
-      const at = this.seen?.measured || this.seen?.truth;
-      const o = this.orbit;
-      o.focus.x += (0.56 * Math.min(-1, at ? at[0] : -30) - o.focus.x) * 0.08; // both stay in view
-      const far = o.zoom * (4 + 2.25 * Math.abs(o.focus.x)) * Math.max(1, 1.45 / aspect);
-      const c = Math.cos(o.height);
-      this.perspective.position.set(o.focus.x + far * c * Math.cos(o.azimuth),
-        o.focus.y + far * Math.sin(o.height), o.focus.z + far * c * Math.sin(o.azimuth));
-      this.perspective.lookAt(o.focus);
-      this.perspective.aspect = aspect;
-      this.perspective.updateProjectionMatrix();
-      return this.perspective;
-    }
-    const lens = this.ortho;
-    const half = SPAN / 2;
-    const up = half / aspect / EXAGGERATED;
-    Object.assign(lens, { left: -half, right: half, top: up, bottom: -up });
-    const middle = -SPAN / 2 + 3.5;
-    if (this.kind === 'side') { // x to the right, y up
-      lens.position.set(middle, 0, 50);
-      lens.up.set(0, 1, 0);
-    } else { // from above: x to the right, z down the screen, as the camera's right
-      lens.position.set(middle, 50, 0);
-      lens.up.set(0, 0, -1);
-    }
-    lens.lookAt(middle, 0, 0);
+    const eye = this.eyes[this.chosen];
+    const { focus } = eye;
+    focus.lerp(new THREE.Vector3(...lookedAt(view, this.known(view.follow)?.at)), 0.08); // both stay in view
+    const out = focus.distanceTo(new THREE.Vector3(...view.centre_m));
+    const far = eye.zoom * (view.distance_m + view.growth * out) * Math.max(1, 1.45 / aspect);
+    const c = Math.cos(eye.height);
+    lens.position.set(focus.x + far * c * Math.cos(eye.azimuth), focus.y + far * Math.sin(eye.height),
+      focus.z + far * c * Math.sin(eye.azimuth));
+    lens.lookAt(focus);
+    lens.aspect = aspect;
     lens.updateProjectionMatrix();
     return lens;
   }
 
-  aim(eye, rect) {
-    this.dock.position.set(eye[0], eye[1], eye[2]);
-    this.dock.lookAt(eye[0] + 10, eye[1], eye[2]); // attitude is held along x
-    const range = Math.max(-eye[0], 0.4);
-    this.dockTan = Math.max(0.085, Math.min(0.9, 1.35 / range));
-    this.dock.fov = (2 * Math.atan(this.dockTan) * 180) / Math.PI;
-    this.dock.aspect = rect.width / Math.max(rect.height, 1);
-    this.dock.updateProjectionMatrix();
-    this.dock.updateMatrixWorld();
+  flat(view, rect) {
+    const lens = this.ortho;
+    const half = (view.span_m / 2) * this.eyes[this.chosen].zoom;
+    const up = half / (rect.width / Math.max(rect.height, 1)) / view.stretch;
+    Object.assign(lens, { left: -half, right: half, top: up, bottom: -up });
+    const middle = new THREE.Vector3(...view.centre_m);
+    lens.up.copy(vector(view.up));
+    lens.position.copy(vector(view.right)).cross(lens.up).multiplyScalar(50).add(middle);
+    lens.lookAt(middle);
+    lens.updateProjectionMatrix();
+    return lens;
+  }
+
+  aim(camera, eye, rect) {
+    const lens = this.onboard;
+    lens.up.copy(vector(camera.up));
+    lens.position.set(...eye);
+    lens.lookAt(lens.position.clone().add(vector(camera.look)));
+    const range = Math.max(along(camera.look, camera.aim_m) - along(camera.look, eye), 0.4);
+    const [least, most] = camera.half_field;
+    this.cameraTan = Math.max(least, Math.min(most, camera.half_height_m / range));
+    lens.fov = (2 * Math.atan(this.cameraTan) * 180) / Math.PI;
+    lens.aspect = rect.width / Math.max(rect.height, 1);
+    lens.updateProjectionMatrix();
+    lens.updateMatrixWorld();
   }
 
   into(rect, lens, withSky) {
@@ -232,32 +286,40 @@ export class Scene {
     this.renderer.render(this.scene, lens);
   }
 
-  label(lens, rect) {
+  label(lens, rect, flat) {
+    const up = flat ? flat.up : '+y';
+    const stretch = flat ? flat.stretch : 1;
     const wanted = new Map();
-    for (let x = -35; x < 0; x += 5) wanted.set(`−${-x} m`, { at: [x, 0, 0], drop: 1 });
-    if (this.seen?.measured) wanted.set(S.measured, { at: this.seen.measured, kind: 'measured craft' });
-    if (this.seen?.predicted) wanted.set(S.predicted, { at: this.seen.predicted, kind: 'predicted craft' });
-    if (this.seen?.truth) wanted.set(S.truth, { at: this.seen.truth, kind: 'craft' });
-    for (const [text, mark] of this.marks) {
-      if (!wanted.has(text)) { mark.remove(); this.marks.delete(text); }
+    for (const { text, at_m: at } of this.display.labels) wanted.set(text, { text, at, drop: 1 });
+    for (const { item, object } of this.bodies) {
+      const at = item.label ? place(this.frame, item.place, item.axes) : undefined;
+      if (!at) continue;
+      const top = at.map((c, i) => c + (DIRECTIONS[up][i] * object.reach[i]) / stretch);
+      wanted.set(`body ${item.name}`, { text: item.label, at: top, role: item.role });
+    }
+    for (const [key, mark] of this.marks) {
+      if (!wanted.has(key)) { mark.remove(); this.marks.delete(key); }
     }
     lens.updateMatrixWorld();
-    const placed = []; // names of craft that are close together stand above each other
-    for (const [text, { at, kind, drop }] of wanted) {
-      let mark = this.marks.get(text);
+    const placed = []; // names of bodies that are close together stand above each other
+    for (const [key, { text, at, role, drop }] of wanted) {
+      let mark = this.marks.get(key);
       if (!mark) {
         mark = document.createElement('span');
         mark.textContent = text;
-        if (kind) mark.className = kind;
+        if (role) {
+          mark.className = 'body';
+          mark.style.color = colourOf(role);
+        }
         this.elements.labels.append(mark);
-        this.marks.set(text, mark);
+        this.marks.set(key, mark);
       }
       const p = new THREE.Vector3(at[0], at[1], at[2]).project(lens);
       const inside = Math.abs(p.x) < 0.98 && Math.abs(p.y) < 0.96 && p.z < 1;
       mark.style.display = inside ? '' : 'none';
       const left = Math.round(((p.x + 1) / 2) * rect.width);
       let top = Math.round(((1 - p.y) / 2) * rect.height) + (drop ? 14 : 0);
-      if (kind) {
+      if (role) {
         const near = ([x, y]) => Math.abs(x - left) < 5 * this.tall && Math.abs(y - top) < this.tall;
         while (placed.some(near)) top -= 2;
         placed.push([left, top]);
@@ -267,26 +329,25 @@ export class Scene {
     }
   }
 
-  // Where a point appears on the docking camera, in shares of its half height; null behind.
+  // Where a point appears on the camera, in shares of its half width and height; null behind.
   onCamera(at) {
-    const p = new THREE.Vector3(at[0], at[1], at[2]).project(this.dock);
+    const p = new THREE.Vector3(...at).project(this.onboard);
     return p.z > 1 ? null : [p.x, p.y];
   }
 
-  // How many pixels a part of the scene makes different from a scene without it: for tests.
-  covers(part) {
-    const body = { measured: this.measured, ghost: this.ghost, truth: this.truth,
-      tube: this.tube.mesh, station: this.station, corridor: this.static.children[1] }[part];
-    const was = body.visible;
+  // How many pixels an item of the display makes different from a scene without it: for tests.
+  covers(name) {
+    const object = this.items.get(name);
+    const was = object.visible;
     const shots = [was, false].map((visible) => {
-      body.visible = visible;
+      object.visible = visible;
       this.draw();
       const gl = this.renderer.getContext();
       const data = new Uint8Array(gl.drawingBufferWidth * gl.drawingBufferHeight * 4);
       gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, data);
       return data;
     });
-    body.visible = was;
+    object.visible = was;
     let n = 0;
     for (let i = 0; i < shots[0].length; i += 4) {
       if (shots[0][i] !== shots[1][i] || shots[0][i + 1] !== shots[1][i + 1]) n += 1;
@@ -295,11 +356,23 @@ export class Scene {
   }
 }
 
-function put(body, at) {
-  body.visible = Boolean(at);
-  if (at) body.position.set(at[0], at[1], at[2]);
+// Take something out of the scene, and out of the memory of the graphics processor.
+function discard(old) {
+  old?.traverse((object) => {
+    object.geometry?.dispose();
+    object.material?.dispose();
+  });
+  old?.removeFromParent();
 }
 
-export function scaleText(kind) {
-  return kind === 'orbit' ? '' : fill(S.exaggerated, { n: EXAGGERATED });
+// Where a perspective view looks: its centre, or a share of the way from there to a body.
+function lookedAt(view, at) {
+  if (!view.follow.length) return view.centre_m;
+  const way = at ? along(view.along, at) - along(view.along, view.centre_m) : view.start_m;
+  const slid = view.share * Math.sign(view.start_m) * Math.max(view.least_m, way * Math.sign(view.start_m));
+  return view.centre_m.map((c, i) => c + slid * DIRECTIONS[view.along][i]);
+}
+
+export function scaleText(view) {
+  return view.kind === 'flat' && view.stretch !== 1 ? fill(S.exaggerated, { axis: view.up[1], n: view.stretch }) : '';
 }

@@ -1,18 +1,8 @@
-// Keyboard and gamepad as one stick: deflections in [-1, 1] along x, y, z and a dead-man.
-// Seen from the chaser: x forward, y up (radially outward), z right.
+// Keyboard and gamepad as one stick: deflections in [-1, 1] along the axes of the mission's hand
+// controller, and a dead-man.
 
-const KEYS = {
-  KeyW: ['x', 1], KeyS: ['x', -1],
-  KeyR: ['y', 1], ArrowUp: ['y', 1], KeyF: ['y', -1], ArrowDown: ['y', -1],
-  KeyD: ['z', 1], ArrowRight: ['z', 1], KeyA: ['z', -1], ArrowLeft: ['z', -1],
-};
-const LEVELS = { Digit1: 1, Digit2: 2, Digit3: 3, Numpad1: 1, Numpad2: 2, Numpad3: 3 };
 const POLL_MS = 20;
-
-export const DEFAULTS = {
-  x: { axis: 1, sign: -1 }, y: { axis: 3, sign: -1 }, z: { axis: 2, sign: 1 },
-  button: 4, deadZone: 0.08, holdSpace: false,
-};
+const DEFAULTS = { axes: {}, button: 4, deadZone: 0.08, holdSpace: false };
 
 export function shaped(value, deadZone) {
   if (!Number.isFinite(value)) return 0;
@@ -24,16 +14,30 @@ export class Stick {
   constructor(onChange) {
     this.onChange = onChange;
     this.down = new Set();
-    this.level = 1;
+    this.step = 1;
     this.source = 'keyboard';
     this.gamepad = null;
     this.settings = { ...DEFAULTS, ...load() };
+    this.setController(null);
     addEventListener('keydown', (event) => this.key(event, true));
     addEventListener('keyup', (event) => this.key(event, false));
     const release = () => { this.down.clear(); this.send(true); };
     addEventListener('blur', release);
     document.addEventListener('visibilitychange', release);
     setInterval(() => this.poll(), POLL_MS);
+  }
+
+  setController(controller) {
+    this.axes = controller?.axes || [];
+    this.deflections = controller?.key_deflections || [1];
+    this.step = Math.min(this.step, this.deflections.length);
+    this.keys = new Map(); // code: [axis, sense]
+    this.axes.forEach((axis, i) => axis.keys.forEach(([up, down]) => this.keys.set(up, [i, 1]).set(down, [i, -1])));
+  }
+
+  // Which axis of a gamepad an axis hangs on, and its sign: as chosen here, else as the mission says.
+  wiring(axis) {
+    return this.settings.axes[axis.name] || { axis: axis.pad_axis, sign: axis.pad_inverted ? -1 : 1 };
   }
 
   change(settings) {
@@ -45,12 +49,13 @@ export class Stick {
     if (event.ctrlKey || event.metaKey || event.altKey || typing(event.target)) return;
     // Sliders and dialogs have their own arrow keys; what comes up is let go of in any case.
     if (pressed && event.target instanceof Element && event.target.closest('input, select, dialog')) return;
-    if (pressed && LEVELS[event.code]) {
-      this.level = LEVELS[event.code];
+    const step = Number(/^(?:Digit|Numpad)([1-9])$/.exec(event.code)?.[1]);
+    if (pressed && step <= this.deflections.length) {
+      this.step = step;
       this.send(true);
       return;
     }
-    if (!KEYS[event.code] && event.code !== 'Space') return;
+    if (!this.keys.has(event.code) && event.code !== 'Space') return;
     if (event.code === 'Space' && !this.settings.holdSpace) return;
     event.preventDefault();
     const had = this.down.has(event.code);
@@ -68,23 +73,20 @@ export class Stick {
     this.send(false);
   }
 
+  // `at`: the deflection of each axis.
   state() {
     const there = document.visibilityState === 'visible' && document.hasFocus();
     if (this.source === 'gamepad') {
-      const s = this.settings;
-      const read = (part) => part.sign * shaped(this.gamepad.axes[part.axis], s.deadZone);
-      return { held: there && pressed(this.gamepad, s.button), x: read(s.x), y: read(s.y),
-        z: read(s.z) };
+      const read = ({ axis, sign }) => sign * shaped(this.gamepad.axes[axis], this.settings.deadZone);
+      return { held: there && pressed(this.gamepad, this.settings.button), at: this.axes.map((axis) => read(this.wiring(axis))) };
     }
-    const made = { held: there && (!this.settings.holdSpace || this.down.has('Space')),
-      x: 0, y: 0, z: 0 };
+    const at = this.axes.map(() => 0);
     for (const code of this.down) {
-      if (KEYS[code]) made[KEYS[code][0]] += KEYS[code][1];
+      if (this.keys.has(code)) at[this.keys.get(code)[0]] += this.keys.get(code)[1];
     }
-    for (const axis of ['x', 'y', 'z']) {
-      made[axis] = (Math.max(-1, Math.min(1, made[axis])) * this.level) / 3;
-    }
-    return made;
+    const deflection = this.deflections[this.step - 1];
+    return { held: there && (!this.settings.holdSpace || this.down.has('Space')),
+      at: at.map((v) => Math.max(-1, Math.min(1, v)) * deflection) };
   }
 
   send(now) {

@@ -1,4 +1,7 @@
-// What the page knows: the newest frame, the run's geometry, the trail, the ladder.
+// What the page knows of a run: its display, the newest frame, the ladder, what has been.
+
+import { History, sample } from './data.js';
+import { ABORT, rungOf } from './ladder.js';
 
 const KEEP = 6000; // points of a history
 
@@ -7,6 +10,7 @@ export class Store {
     this.status = { phase: 'idle', lease: 'free', pages: 0, note: '' };
     this.can = { fly: false, desk: false };
     this.connected = false;
+    this.display = null;
     this.reset(null);
   }
 
@@ -15,20 +19,23 @@ export class Store {
     this.frame = null;
     this.frameAt = 0;
     this.verdict = null;
-    this.trail = []; // [t, est xyz, pred xyz, sigma of pred yz]
     this.ladder = new Map();
-    this.errors = { t: [], e: [[], [], [], [], [], []], s: [[], [], [], [], [], []] };
     this.events = [];
     this.abortAt = null;
     if (run) {
-      for (const row of run.trail || []) this.trail.push([...row, 0.1]);
+      this.display = run.display;
+      this.history = new History(run.display, KEEP);
+      this.history.begin(run.trails);
       this.rungs(run.ladder || []);
     }
   }
 
   take(message) {
     switch (message.type) {
-      case 'hello': this.can = message.can; break;
+      case 'hello':
+        this.can = message.can;
+        if (message.display && !this.display) this.display = message.display;
+        break;
       case 'run': this.reset(message); break;
       case 'status': this.status = message; break;
       case 'frame': this.takeFrame(message); break;
@@ -47,32 +54,19 @@ export class Store {
     this.frame = frame;
     this.frameAt = performance.now();
     this.rungs(frame.ladder);
-    const { est, pred, score } = frame;
-    if (est && pred && pred.ok) {
-      const last = this.trail[this.trail.length - 1];
-      if (!last || frame.t > last[0]) {
-        const sigma = pred.s ? Math.max(pred.s[1], pred.s[2]) : 0.05;
-        this.trail.push([frame.t, ...est.x.slice(0, 3), ...pred.x.slice(0, 3), sigma]);
-        if (this.trail.length > KEEP) this.trail.shift();
-      }
-    }
-    const errors = this.errors;
-    if (score && (!errors.t.length || score.t > errors.t[errors.t.length - 1])) {
-      errors.t.push(score.t);
-      for (let i = 0; i < 6; i += 1) {
-        const unit = i < 3 ? 100 : 1000;
-        errors.e[i].push(score.e[i] === null ? null : score.e[i] * unit);
-        errors.s[i].push(score.s[i] === null ? null : 2 * score.s[i] * unit);
-      }
-    }
-    if (frame.cmd && frame.cmd.kind === 3 && this.abortAt === null) this.abortAt = frame.t;
+    this.history.add(frame);
+    if (this.sent?.parts.kind === ABORT && this.abortAt === null) this.abortAt = frame.t;
   }
 
+  // The newest of what is shown as measured, as predicted, and of the command that was sent.
+  get measured() { return sample(this.frame, this.display?.measured); }
+
+  get predicted() { return sample(this.frame, this.display?.predicted); }
+
+  get sent() { return this.frame?.signals[this.display.commands.sent]; }
+
   rungs(rows) {
-    for (const row of rows) {
-      const [seq, sent, due, x, y, z, kind, state, refusal, told] = row;
-      this.ladder.set(seq, { seq, sent, due, levels: [x, y, z], kind, state, refusal, told });
-    }
+    for (const row of rows) this.ladder.set(row[0], rungOf(row));
     while (this.ladder.size > 700) this.ladder.delete(this.ladder.keys().next().value);
   }
 

@@ -178,7 +178,8 @@ class Desk:
         self._plan: list[Flight] = []
         self._at = 0
         self._attempt = ''
-        self._reason = ''
+        self._reason = ''                       # the judge's, empty before the verdict
+        self._verdict: dict[str, Any] = {}      # of it: success and words, for the page
         self._rest_until = 0.0
         folder.mkdir(parents=True, exist_ok=True)
         _write(folder / 'session.json', {**session.__dict__, 'scales': TLX})
@@ -197,7 +198,7 @@ class Desk:
         if self._stage in ('ready', 'flying', 'rate', 'weigh'):
             flight = self._plan[self._at]
             made.update({'condition': flight.condition, 'mode': flight.mode,
-                         'training': flight.training, 'reason': self._reason})
+                         'training': flight.training, 'verdict': self._verdict})
         if self._stage == 'weigh':
             made['pairs'] = self._pairs()
         if self._stage == 'rest':
@@ -249,13 +250,14 @@ class Desk:
         while (self._folder / out).exists():    # a flight that was broken off
             again += 1
             out = f'{self.pseudonym}/{flight.folder}.{again}'
-        self._attempt, self._stage, self._reason = out, 'flying', ''
+        self._attempt, self._stage, self._reason, self._verdict = out, 'flying', '', {}
         return {'mode': flight.mode, 'seed': flight.seed, 'out': out}
 
     def flown(self, verdict: dict[str, Any]) -> None:
         """Be told that the flight under way has its verdict."""
         if self._stage == 'flying':
             self._reason = verdict['reason']
+            self._verdict = {key: verdict[key] for key in ('success', 'words')}
 
     def ended(self, run: str | None) -> None:
         """

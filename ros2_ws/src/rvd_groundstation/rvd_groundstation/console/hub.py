@@ -13,14 +13,14 @@ from collections import deque
 from dataclasses import dataclass, field
 from typing import Any, Callable, Protocol
 
-from rvd_dynamics.mission import Mission
 from rvd_groundstation.console.access import Throttle
 from rvd_groundstation.console.clients import Outbox
 from rvd_groundstation.console.feed import Feed
 from rvd_groundstation.console.lease import Lease
 from rvd_groundstation.console.protocol import (
-    encode, flight_wish, NEEDS_LEASE, PAGE_BURST, PAGE_RATE, Refused, Request, request_of, Stick,
-    stick_of)
+    encode, flight_wish, NEEDS_LEASE, PAGE_BURST, PAGE_RATE, Refused, RELEASED, Request,
+    request_of, Stick, stick_of)
+from rvd_groundstation.console.provider import MissionDisplay
 
 FRAME_S = 1.0 / 30              # [s] wall time: a page gets no more frames than this
 WATCH_S = 0.1                   # [s] likewise, pages that only watch
@@ -34,8 +34,8 @@ STICK_S = 0.5                   # [s] wall time after which a held stick is no p
 class Bridge(Protocol):
     """The running graph, as the hub sees it; every method may be called from the event loop."""
 
-    def joy(self, stick: Stick) -> list[int]:
-        """Publish a stick sample; return its levels."""
+    def joy(self, stick: Stick) -> list[float]:
+        """Publish a stick sample; return the command that it means."""
 
     def control(self, action: str, mode: str, reply: Callable[[bool, str], None]) -> None:
         """Call /run/control; `reply` gets the answer in the event loop."""
@@ -61,12 +61,15 @@ class Hub:
     Pages, lease, the current run, and what they say to each other.
 
     `ask` hands a wish (a new run, stop, quit) to whoever starts runs; None: nobody does.
+    `display` (from `as_data`) is what a page shows until the first run brings its own.
     """
 
-    def __init__(self, ask: Callable[[dict], None] | None = None, desk: Any = None) -> None:
+    def __init__(self, ask: Callable[[dict], None] | None = None, desk: Any = None,
+                 display: dict[str, Any] | None = None) -> None:
         self.lease = Lease()
         self.clients: set[Client] = set()
         self.desk = desk
+        self._display = display
         self.feed: Feed | None = None
         self.run_name: str | None = None        # folder name of the run under way
         self.phase = 'idle'                     # idle, starting, flying, closing, ended
@@ -95,11 +98,13 @@ class Hub:
         self._numbers += 1
         client = Client(self._numbers)
         self.clients.add(client)
-        self._tell(client, {'type': 'hello', 'you': client.number,
-                            'can': {'fly': self._ask is not None, 'desk': self.desk is not None}})
+        self._tell(client, {
+            'type': 'hello', 'you': client.number,
+            'can': {'fly': self._ask is not None, 'desk': self.desk is not None},
+            'display': self._display})
         if self.feed is not None:
             self._tell(client, {**self.feed.run_message(self.run_name or ''),
-                                'trail': self.feed.trail,
+                                'trails': self.feed.trails,
                                 'ladder': self.feed.ladder.changes()})
         if self.verdict is not None:
             self._tell(client, self.verdict)
@@ -128,9 +133,9 @@ class Hub:
         self.sticks += 1
         self._stick = (now, sample)
         if self._bridge is not None:
-            levels = self._bridge.joy(sample)
+            value = self._bridge.joy(sample)
             if self.feed is not None:
-                self.feed.pilot(levels, sample.held)
+                self.feed.pilot(value, sample.held)
             if self.pilot_lost and sample.held:
                 self.pilot_lost = False
                 self._bridge.event('PILOT', 'a pilot has the stick again')
@@ -221,9 +226,9 @@ class Hub:
         """Let go of the stick at once, without waiting for it to grow old."""
         self._stick = None
         if self._bridge is not None:
-            self._bridge.joy(Stick(False, 0, (0.0, 0.0, 0.0)))
+            self._bridge.joy(RELEASED)
         if self.feed is not None:
-            self.feed.pilot([0, 0, 0], False)
+            self.feed.no_pilot()
 
     def _lost(self, why: str) -> None:
         self._release()
@@ -234,9 +239,9 @@ class Hub:
 
     # -- runs -----------------------------------------------------------------------------
 
-    def begin(self, name: str, mission: Mission, bridge: Bridge) -> None:
+    def begin(self, name: str, provider: MissionDisplay, bridge: Bridge) -> None:
         """Let a new run begin; pages stay."""
-        self.feed, self.run_name, self._bridge = Feed(mission), name, bridge
+        self.feed, self.run_name, self._bridge = Feed(provider), name, bridge
         self.phase, self.note, self.verdict, self.pilot_lost = 'flying', '', None, False
         self._shown = {'pilot': 0, 'watch': 0}
         self._inbox.clear()
@@ -344,7 +349,7 @@ class Hub:
             if self._stick is not None and now - self._stick[0] > STICK_S:
                 self._stick = None
                 if self.feed is not None:
-                    self.feed.pilot([0, 0, 0], False)
+                    self.feed.no_pilot()
                     self._fresh.set()
 
     def _status(self) -> None:

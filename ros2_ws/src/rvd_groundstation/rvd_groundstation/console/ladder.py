@@ -33,7 +33,7 @@ class Rung:
     sequence: int
     step: int                   # step in which it was sent
     due: int                    # step in which it acts
-    levels: tuple[int, int, int]
+    value: tuple[float, ...]    # one number for each axis of a command
     kind: int
     state: int = SENT
     refusal: int = REASON_NONE
@@ -54,10 +54,10 @@ class Ladder:
     _refusal: int = REASON_NONE
     _heard: int = -1            # newest step that telemetry told of
 
-    def sent(self, step: int, sequence: int, levels: tuple[int, int, int], kind: int) -> None:
+    def sent(self, step: int, sequence: int, value: tuple[float, ...], kind: int) -> None:
         """Note a command that left the ground in `step`."""
         self.version += 1
-        rung = Rung(sequence, step, step + self.forward_steps, levels, kind,
+        rung = Rung(sequence, step, step + self.forward_steps, value, kind,
                     version=self.version)
         self.rungs.append(rung)
         if len(self.rungs) > self.keep:
@@ -108,7 +108,7 @@ class Ladder:
         self.version += 1
         rung.state, rung.version = state, self.version
 
-    def changes(self, since: int = 0) -> list[list[int]]:
+    def changes(self, since: int = 0) -> list[list[float]]:
         """Return a row for each rung that changed after version `since`; 0 gives all."""
         return [row(rung) for rung in self.rungs if rung.version > since]
 
@@ -120,7 +120,7 @@ class Ladder:
         return made
 
 
-def row(rung: Rung) -> list[int]:
-    """Return sequence, sent step, due step, levels, kind, state, refusal, told step."""
-    return [rung.sequence, rung.step, rung.due, *rung.levels, rung.kind, rung.state,
-            rung.refusal, rung.told]
+def row(rung: Rung) -> list[float]:
+    """Return sequence, sent step, due step, kind, state, refusal, told step, and the command."""
+    return [rung.sequence, rung.step, rung.due, rung.kind, rung.state, rung.refusal, rung.told,
+            *rung.value]

@@ -1,8 +1,9 @@
 """
 What a page may say: a binary stick frame at 50 Hz, and a few requests as JSON text.
 
-Stick frame, 24 bytes little-endian: kind u8 = 1, held u8 (dead-man), sequence u16, deflection
-x, y, z as f32 in [-1, 1], instant of sampling f64 [ms since 1970, for benchmarks only].
+Stick frame, 36 bytes little-endian: kind u8 = 1, held u8 (dead-man), sequence u16, deflection of
+six axes as f32 in [-1, 1] (0 where a mission has fewer), instant of sampling f64 [ms since 1970,
+for benchmarks only].
 Whatever else comes is refused by name and never guessed at.
 """
 
@@ -12,9 +13,10 @@ from dataclasses import dataclass
 from struct import Struct
 from typing import Any
 
+from rvd_dynamics.diagram.display import MOST_AXES
 from rvd_dynamics.mission import MODES
 
-STICK = Struct('<BBHfffd')
+STICK = Struct(f'<BBH{MOST_AXES}fd')
 STICK_KIND = 1
 MAX_FRAME = 64 * 1024           # [bytes]
 PAGE_RATE = 60.0                # [1/s] frames a page may send
@@ -31,11 +33,14 @@ class Refused(ValueError):
 
 @dataclass(frozen=True, slots=True)
 class Stick:
-    """One sample of a stick, along x, y, z."""
+    """One sample of a stick, along the axes of the mission's hand controller."""
 
     held: bool
     sequence: int
-    deflection: tuple[float, float, float]
+    deflection: tuple[float, ...]
+
+
+RELEASED = Stick(False, 0, (0.0,) * MOST_AXES)
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,12 +63,12 @@ def stick_of(data: bytes) -> Stick:
     """
     if len(data) != STICK.size:
         raise Refused('LENGTH')
-    kind, held, sequence, x, y, z, _ = STICK.unpack(data)
+    kind, held, sequence, *deflection, _ = STICK.unpack(data)
     if kind != STICK_KIND or held > 1:
         raise Refused('KIND')
-    if not all(math.isfinite(a) and -1.0 <= a <= 1.0 for a in (x, y, z)):
+    if not all(math.isfinite(a) and -1.0 <= a <= 1.0 for a in deflection):
         raise Refused('RANGE')
-    return Stick(held == 1, sequence, (x, y, z))
+    return Stick(held == 1, sequence, tuple(deflection))
 
 
 def request_of(text: str) -> Request:

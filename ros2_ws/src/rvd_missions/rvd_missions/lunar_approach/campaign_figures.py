@@ -65,7 +65,8 @@ def tracks(results: Any) -> Drawn:
             _side_view(axes, condition.scenario, states, lateral)
             axes.set_title(f'{condition.name}: x-{"xyz"[lateral]}')
         if states.shape[1]:
-            outside.append(f'{condition.name} {100*_left_boundary(condition.scenario, states):.0f} %')
+            share = _left_boundary(condition.scenario, states)
+            outside.append(f'{condition.name} {100*share:.0f} %')
     for axes in panels[-1]:
         axes.set_xlabel('x, along track [m]')
     figure.legend(*panels[0, 0].get_legend_handles_labels(), ncols=3, loc='upper right',

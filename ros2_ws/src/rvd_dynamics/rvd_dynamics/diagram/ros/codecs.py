@@ -97,8 +97,12 @@ class Parts(Codec):
         self._starts = [part.filled(()) for part in signal.parts]
 
     def encode(self, k: int, value: Any) -> Values:
-        """Return the message of a value."""
-        numbers = np.concatenate([np.ravel(part).astype(float) for part in self.wired(value)])
+        """Return the message of a value; ValueError if a part is not of its shape."""
+        parts = self.wired(value)
+        for part, given in zip(self.signal.parts, parts):
+            if given.shape != part.shape:
+                raise ValueError(f'{part.name} must have shape {part.shape}, got {given.shape}')
+        numbers = np.concatenate([np.ravel(given).astype(float) for given in parts])
         return Values(header=header_at(self.stamp_ns(k), self.run.frame_id), step=k,
                       layout=self._layout, values=numbers)
 

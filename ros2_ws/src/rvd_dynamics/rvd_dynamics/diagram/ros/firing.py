@@ -7,10 +7,12 @@ real time a block that has not fired for k when an input of a later firing arriv
 what it holds; the rest is MISSING, and its codec says what that is worth.
 """
 
+from math import inf
+import struct
 import time
 from typing import Any
 
-from numpy import isfinite
+import numpy as np
 from rclpy.callback_groups import CallbackGroup
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import Bool, String, UInt64
@@ -27,6 +29,7 @@ from rvd_dynamics.diagram.ros.host import Host, message_type
 from rvd_dynamics.diagram.ros.node import RunNode
 from rvd_dynamics.diagram.ros.wire import Layout
 from rvd_dynamics.diagram.roster import RECORDER, RECORDER_LEAD
+from rvd_dynamics.diagram.signal import Signal
 from rvd_dynamics.link.channel import Channel
 from rvd_dynamics.link.play_out import Frame
 from rvd_interfaces.msg import LinkFrame, LinkStatus
@@ -129,6 +132,7 @@ class FiringNode(RunNode):
         self._held: dict[str, HeldInput] = {}
         self._last: Input | None = None         # the input that comes last
         self._gated = False
+        self._limit = inf                       # last step that may be fired so far
         host.firing.append(self)
 
     # -- inputs -----------------------------------------------------------------------------
@@ -158,6 +162,9 @@ class FiringNode(RunNode):
             self._subscribe(name, read, self._gate if early else None)
             self._gated |= early
         self._last = self._inputs[remote[-1][1]] if remote else None
+        if self.roster.follows_clock(self.block.name):
+            self._limit = -1
+            self.listen('/clock', Clock, self._on_clock)
 
     def _codec(self, signal: Any) -> Any:
         own = {'signal': signal, 'run': self.run, 'event': self.event}
@@ -185,6 +192,16 @@ class FiringNode(RunNode):
         held = self._held[name] = HeldInput(read, codec)
         self.watch(read.signal.name, message_type(read.signal.message), held.keep)
 
+    def listen(self, topic: str, kind: type, heard: Any) -> None:
+        """Hear what the run says about itself, by hand where it is said in this process."""
+        if self.host.is_local(topic):
+            self.host.take(topic, heard)
+        else:
+            self.watch(topic, kind, lambda message: heard(-1, message))
+
+    def _on_clock(self, step: int, message: Any) -> None:
+        self._limit = step if step >= 0 else ns_of(message.clock) // self.run.step_ns
+
     def _came(self, name: str, step: int, item: Any) -> None:
         """Take in what the writer of an input wrote in `step`."""
         given, period = self._inputs[name], self.block.period
@@ -197,7 +214,7 @@ class FiringNode(RunNode):
         given.held[step] = item
         if self.realtime:
             due = given.first_use(step, period)
-            while self._next < due and not self._is_over():
+            while self._next < due and self._next <= self._limit and not self._is_over():
                 self.fire()
         if self._gated:
             self._look_at_gate()
@@ -210,8 +227,9 @@ class FiringNode(RunNode):
     def may_fire(self) -> bool:
         """Say whether every input of the next firing is here."""
         k = self._next
-        return not self.finished and all(given.there(k) for given in self._inputs.values()) \
-            and bool(self._inputs) and not self._is_over()
+        return (not self.finished and k <= self._limit and bool(self._inputs)
+                and all(given.there(k) for given in self._inputs.values())
+                and not self._is_over())
 
     def _is_over(self) -> bool:
         final = self.host.final_step
@@ -229,7 +247,8 @@ class FiringNode(RunNode):
         try:
             self.on_step(k)
         except Exception as error:              # noqa: B902 - named and handed on
-            error.rvd_node = self
+            if not hasattr(error, 'rvd_node'):  # in real time a firing may lie within another
+                error.rvd_node = self
             raise
         for given in self._inputs.values():
             given.forget(self._next)
@@ -257,7 +276,6 @@ class BlockNode(FiringNode):
         self._outputs = {name: (signal, self._codec(signal),
                                 self.writer(signal.name, message_type(signal.message)))
                          for name, signal in block.writes.items()}
-        self._checked = False
         self._commands = [name for name, signal in block.writes.items() for part in signal.parts
                           if part.name == 'command' and part.dtype.startswith('f')]
         self._control = Control()
@@ -286,17 +304,19 @@ class BlockNode(FiringNode):
         if self.block.control:
             given['control'] = self._control
         outputs = self._compute(k, **given)
-        if not self._checked or self._commands:
+        if k == 0 or self._commands:
             self._check(k, outputs)
         self.before_publishing(k, outputs)
         publish = self.host.publish
         for name, (signal, codec, publisher) in self._outputs.items():
-            value = outputs[name]
             try:
+                value = outputs[name]
                 made_of = codec.encode(k, value)
-            except ValueError as error:         # no command of the form, for instance
-                raise DiagramError(f'block {self.block.name} writes {signal.name} at step {k}: '
-                                   f'{error}') from None
+            except Exception as error:          # noqa: B902 - said better, or handed on
+                self._check(k, outputs)
+                if isinstance(error, (ValueError, struct.error)):
+                    raise self._refusal(k, signal, error) from error
+                raise
             if codec.frames:
                 publish(publisher, signal.name, k, made_of.serialised(), made_of)
             else:
@@ -306,24 +326,29 @@ class BlockNode(FiringNode):
         """Look at the outputs of step k."""
 
     def _check(self, k: int, outputs: Any) -> None:
-        """Refuse outputs that have not the form of their signals, or a command that is no number."""
-        if not self._checked:
-            self._checked = True
-            missing = set(self._outputs) - set(outputs if isinstance(outputs, dict) else ())
-            if missing:
-                raise DiagramError(f'block {self.block.name}: step must return '
-                                   f'{", ".join(self._outputs)} by name, without '
-                                   f'{", ".join(sorted(missing))} it is not complete')
-            for name, (signal, _, _) in self._outputs.items():
-                complaint = signal.complaint(outputs[name], ())
-                if complaint:
-                    raise DiagramError(f'block {self.block.name} writes {signal.name}: {complaint}')
+        """
+        Refuse outputs that have not the form of their signals, or a command that is no number.
+
+        All of it at the first firing, and at each one where the command is a float. Later a value
+        of another form is noticed when it does not go into its message.
+        """
+        given = set(outputs) if isinstance(outputs, dict) else set()
+        if given != set(self._outputs):
+            raise DiagramError(f'block {self.block.name}: step must return a value for each of '
+                               f'{", ".join(self._outputs) or "no output"} by name, got '
+                               f'{", ".join(sorted(given)) or type(outputs).__name__}')
+        for name, (signal, _, _) in self._outputs.items():
+            complaint = signal.complaint(outputs[name], ())
+            if complaint:
+                raise self._refusal(k, signal, complaint)
         for name in self._commands:
             command = outputs[name].command
-            if not isfinite(command).all():
-                raise DiagramError(
-                    f'block {self.block.name} writes {self.block.writes[name].name} at step {k}: '
-                    f'a command must be finite, got {command.tolist()}')
+            if not np.isfinite(command).all():
+                raise self._refusal(k, self.block.writes[name],
+                                    f'a command must be finite, got {np.asarray(command).tolist()}')
+
+    def _refusal(self, k: int, signal: Signal, why: Any) -> DiagramError:
+        return DiagramError(f'block {self.block.name} writes {signal.name} at step {k}: {why}')
 
     # -- control ----------------------------------------------------------------------------
 
@@ -367,8 +392,9 @@ class LegNode(FiringNode):
         super().__init__(host, block)
         self._name = block.writes['arrival'].name
         self._out = self.writer(self._name, LinkFrame)
-        self._status = self.writer(block.status.name, LinkStatus)
-        self._counted = Layout(LinkStatus, {'header.frame_id': self.run.frame_id})
+        if block.status is not None:
+            self._status = self.writer(block.status.name, LinkStatus)
+            self._counted = Layout(LinkStatus, {'header.frame_id': self.run.frame_id})
 
     def make(self) -> None:
         """Draw what will happen to every frame."""
@@ -391,6 +417,10 @@ class LegNode(FiringNode):
                 step=k, sequence=due.sequence, sent=due.sent_ns, arrived=due.arrived_ns,
                 released=due.released_ns, expedited=due.expedited, payload=due.payload)
         self.host.publish(self._out, self._name, k, passed.serialised(), passed)
+        if self.block.status is not None:
+            self._tell(k)
+
+    def _tell(self, k: int) -> None:
         delay_s = self._channel.delay_s
         self.host.publish(self._status, self.block.status.name, k, self._counted.pack(
             *divmod(k * self.run.step_ns, NS_PER_S), k, *vars(self._channel.counts).values(),
@@ -411,7 +441,7 @@ class PlantNode(BlockNode):
         self._recorded: int | None = None
         self._waiting_for = set(self.roster.names) - {
             e.name for e in self.roster.externals.values() if e.foreign}
-        self._clock_out, self._clock_layout = self.writer('/clock', Clock), Layout(Clock)
+        self._time, self._time_layout = self.writer('/clock', Clock), Layout(Clock)
         self._end = self.writer('/run/end', UInt64)
         self._story = self.writer('/run/scenario', String)
         truth = self.roster.diagram.truth
@@ -421,28 +451,27 @@ class PlantNode(BlockNode):
         """Subscribe, also to what the run says about itself."""
         super().connect()
         self.watch('/run/ready', String, lambda message: self._on_ready(message.data))
-        self._listen('/run/pause', Bool, lambda message: self._on_pause(message.data))
+        self.listen('/run/pause', Bool, lambda _, message: self._on_pause(message.data))
         if RECORDER in self.roster.names:
             self._recorded = -1
-            self._listen('/run/recorded_step', UInt64, self._on_recorded)
+            self.listen('/run/recorded_step', UInt64, self._on_recorded)
         self.host.publish(self._story, '/run/scenario', -1,
                           String(data=self.host.arguments.text()))
-
-    def _listen(self, topic: str, kind: type, heard: Any) -> None:
-        if self.host.is_local(topic):
-            self.host.take(topic, lambda step, message: heard(message))
-        else:
-            self.watch(topic, kind, heard)
 
     def on_step(self, k: int) -> None:
         """Advance the truth; say when it is the last of it."""
         super().on_step(k)
-        self.host.publish(self._clock_out, '/clock', k, self._clock_layout.pack(
+        self.host.publish(self._time, '/clock', k, self._time_layout.pack(
             *divmod(k * self.run.step_ns, NS_PER_S)))
 
     def before_publishing(self, k: int, outputs: dict[str, Any]) -> None:
         """Say that step k is the last before anybody can have it."""
-        if outputs[self._truth].final:
+        try:
+            final = outputs[self._truth].final
+        except (LookupError, TypeError, AttributeError):
+            self._check(k, outputs)
+            raise
+        if final:
             self.host.publish(self._end, '/run/end', -1, UInt64(data=k))
             self.host.end(k)
 
@@ -475,8 +504,9 @@ class PlantNode(BlockNode):
         while (not self._paused and not self.finished and not self._is_over()
                and time.monotonic() - self._origin >= self._next * self._step_s):
             self.fire()
+            self.host.work()                    # what of it is here fires before the next step
 
-    def _on_recorded(self, message: UInt64) -> None:
+    def _on_recorded(self, _: int, message: UInt64) -> None:
         self._recorded = message.data
 
     def _on_pause(self, paused: bool) -> None:

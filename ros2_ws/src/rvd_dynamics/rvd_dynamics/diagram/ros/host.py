@@ -27,6 +27,7 @@ from rvd_dynamics.diagram.ros.node import RunNode
 from rvd_dynamics.diagram.roster import COMMON, RECORDER, Roster
 from rvd_interfaces.msg import RunEvent
 
+ASK_S = 0.1                     # [s] wall time between two looks whether to stop
 BARRIER_PERIOD_S = 0.05         # [s] wall time between two looks at the endpoints
 DIAGNOSTICS_PERIOD_S = 1.0      # [s] wall time
 MOMENT_S = 0.3                  # [s] wall time in which local readers get what was written last
@@ -75,13 +76,8 @@ class Host:
         self._barrier = node.create_timer(BARRIER_PERIOD_S, self._check_barrier)
 
     def is_local(self, topic: str) -> bool:
-        """Say whether a node of this process writes a topic."""
-        mine = self.roster.process_of.get(self._home())
-        return any(self.roster.process_of.get(name) == mine and topic in self.roster.writes(name)
-                   for name in self.roster.names)
-
-    def _home(self) -> str:
-        return next(iter(self.nodes))
+        """Say whether a node of this process writes a topic; ask when all nodes are made."""
+        return any(topic in self.roster.writes(name) for name in self.nodes)
 
     def take(self, topic: str, taker: Callable[[int, Any], None]) -> None:
         """Hand on what nodes of this process write on a topic: the step, and what passes."""
@@ -187,9 +183,9 @@ class Host:
             node.guarded(node.on_end)(final_step)
 
     def fail(self, node: RunNode, error: Exception) -> None:
-        """End the process with an error; the first one counts."""
+        """End the process with an error of `node`, or of the one it carries; the first counts."""
         if self._error is None and not self._ended:
-            self._error = (node, error)
+            self._error = (getattr(error, 'rvd_node', node), error)
         self._ended = True
 
     def look(self) -> None:
@@ -201,9 +197,9 @@ class Host:
         """Whether nothing is left to do, or an error has ended it."""
         return self._ended
 
-    def spin(self) -> None:
+    def spin(self, stopped: Callable[[], bool] | None = None) -> None:
         """
-        Serve the nodes to the end of the run.
+        Serve the nodes to the end of the run, or until `stopped()`, which is asked now and then.
 
         Raises
         ------
@@ -214,12 +210,13 @@ class Host:
         for node in self.nodes.values():
             executor.add_node(node)
         try:
-            while not self._ended:
-                executor.spin_once(timeout_sec=0.0 if self._busy else None)
+            while not self._ended and not (stopped and stopped()):
+                executor.spin_once(timeout_sec=0.0 if self._busy else
+                                   ASK_S if stopped else None)
                 try:
                     self.work()
                 except Exception as error:      # noqa: B902 - of the block that fired last
-                    self.fail(getattr(error, 'rvd_node', self._lead), error)
+                    self.fail(self._lead, error)
         finally:
             executor.shutdown(timeout_sec=0.0)
         self.raise_error()

@@ -37,7 +37,7 @@ class MissionMonitor(RunNode):
         """Listen to the truth."""
         truth = self.roster.diagram.truth
         if self.host.is_local(truth.name):
-            self.host.take(truth.name, self._on_truth)
+            self.host.take(truth.name, self.guarded(self._on_truth))
             return
         codec = made(truth.codec, lambda name: {'signal': truth, 'run': self.run}.get(name)
                      or self.scenario.part(name), f'signal {truth.name}')

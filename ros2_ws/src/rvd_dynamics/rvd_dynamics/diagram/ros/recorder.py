@@ -95,7 +95,8 @@ class BagRecorder(RunNode):
         self._recorded.add(topic)
         store = self._writer_of(topic, kind)
         if topic not in COMMON and self.host.is_local(topic):
-            self.host.keep(topic, lambda step, data: store(data, step, time.time_ns(), 0))
+            self.host.keep(topic, self.guarded(
+                lambda step, data: store(data, step, time.time_ns(), 0)))
             return
         deep = QoSProfile(depth=qos.DEPTH, reliability=offered.reliability,
                           durability=offered.durability)

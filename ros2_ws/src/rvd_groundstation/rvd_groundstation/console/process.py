@@ -35,6 +35,7 @@ def _options(arguments: list[str]) -> argparse.Namespace:
     parser.add_argument('--socket', type=Path, required=True)
     parser.add_argument('--runs', type=Path)
     parser.add_argument('--session', type=Path)
+    parser.add_argument('--display', type=Path)
     parser.add_argument('--bind', default='127.0.0.1')
     parser.add_argument('--port', type=int, default=8480)
     parser.add_argument('--tls-cert', default='')
@@ -48,10 +49,13 @@ async def _serve_runs(options: argparse.Namespace) -> int:
     if options.session is not None:
         from rvd_groundstation.console.desk import Desk, read_session
         desk = Desk(read_session(options.session), options.runs)
-    hub = Hub(ask=say, desk=desk)
+    display = None
+    if options.display is not None:
+        display = json.loads(options.display.read_text(encoding='utf-8'))
+    hub = Hub(ask=say, desk=desk, display=display)
     server = Server(hub, Address(options.bind, options.port, options.tls_cert, options.tls_key),
                     options.runs)
-    from rvd_groundstation.nodes import console_node    # noqa: F401 - now, not in a flight
+    from rvd_groundstation.console import node  # noqa: F401 - loaded now, not in a flight
     url = await server.start()
     runs = await listen(options.socket, lambda words, gone: run_node(hub, words, gone))
     say({'url': url})
@@ -86,17 +90,8 @@ def say(message: dict[str, Any]) -> None:
 
 async def _serve_one(arguments: list[str]) -> int:
     """Serve the one run that our own ROS arguments describe."""
-    import rclpy
-    from rclpy.node import Node
-    from rclpy.signals import SignalHandlerOptions
-
-    from rvd_dynamics.diagram.ros.params import declare
-    from rvd_groundstation.console.params import ConsoleParams
-    rclpy.init(args=['console', *arguments], signal_handler_options=SignalHandlerOptions.NO)
-    probe = Node('console')
-    params = declare(probe, ConsoleParams)
-    probe.destroy_node()
-    rclpy.shutdown()
+    from rvd_groundstation.console.node import own_settings
+    params = own_settings(arguments)
     hub = Hub()
     server = Server(hub, Address(params.bind, params.port, params.tls_cert, params.tls_key), None)
     print(f'open {await server.start()}', flush=True)
@@ -112,6 +107,7 @@ async def _serve_one(arguments: list[str]) -> int:
 
 async def run_node(hub: Hub, arguments: list[str], gone: asyncio.Event) -> tuple[int, str]:
     """Run one run's node on a thread of its own until it ends or `gone` is set."""
+    from rvd_groundstation.console.node import follow
     loop = asyncio.get_running_loop()
     over: asyncio.Future = loop.create_future()
     stop = threading.Event()
@@ -122,7 +118,8 @@ async def run_node(hub: Hub, arguments: list[str], gone: asyncio.Event) -> tuple
 
     def work() -> None:
         try:
-            result = _spin(hub, arguments, stop, loop)
+            follow(hub, arguments, stop.is_set, loop.call_soon_threadsafe)
+            result = (0, '')
         except ValueError as error:
             result = (2, str(error))
         except Exception as error:              # noqa: B902 - told to whoever started the run
@@ -137,32 +134,3 @@ async def run_node(hub: Hub, arguments: list[str], gone: asyncio.Event) -> tuple
     leaving.cancel()
     hub.end()
     return result
-
-
-def _spin(hub: Hub, arguments: list[str], stop: threading.Event,
-          loop: asyncio.AbstractEventLoop) -> tuple[int, str]:
-    import rclpy
-    from rclpy.executors import SingleThreadedExecutor
-    from rclpy.signals import SignalHandlerOptions
-
-    from rvd_groundstation.nodes.console_node import ConsoleNode
-    rclpy.init(args=['console', *arguments],
-               signal_handler_options=SignalHandlerOptions.NO)
-    node = None
-    try:
-        node = ConsoleNode(hub, loop.call_soon_threadsafe)
-        loop.call_soon_threadsafe(hub.begin, hub.run_name or 'run', node.mission, node)
-        executor = SingleThreadedExecutor()
-        executor.add_node(node)
-        while not stop.is_set() and not node.done.done():
-            executor.spin_once(timeout_sec=0.1)
-        executor.shutdown()
-        if node.done.done():
-            node.done.result()
-        return 0, ''
-    finally:
-        if node is not None:
-            node.leave()
-            node.close()
-            node.destroy_node()
-        rclpy.try_shutdown()

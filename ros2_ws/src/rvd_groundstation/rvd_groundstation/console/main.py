@@ -1,10 +1,10 @@
 """
 ROS shell of the browser console, and its process: rclpy on its own thread beside the web server.
 
-Watches     /ground/telemetry, /ground/estimate, /ground/prediction,
-            /ground/prediction_score, /ground/auto_command, /ground/command,
+Watches     what the mission's display shows of the signals on the ground,
             /link/back/status, /run/pause, /run/events, and /run/verdict once it is final
-Publishes   /joy    sensor_msgs/Joy, when the pilot's page sends a stick sample
+Publishes   /joy    sensor_msgs/Joy, when the pilot's page sends a stick sample and the console
+            is the operator of the run
 Calls       /run/control
 Parameters  the fields of ConsoleParams
 
@@ -29,9 +29,9 @@ def main(args=None) -> None:
     socket = os.environ.get('RVD_CONSOLE', '')
     if '--serve' not in arguments and socket:
         sys.exit(attach.join(socket, arguments))
-    from rvd_groundstation.nodes import console_process
+    from rvd_groundstation.console import process
     try:
-        code = asyncio.run(console_process.serve(arguments))
+        code = asyncio.run(process.serve(arguments))
     except ValueError as error:
         print(f'console: {error}', file=sys.stderr)
         code = 2

@@ -1,0 +1,103 @@
+// The panels as a display describes them, filled from a frame: of a flight or of a review alike.
+
+import { Charts } from './charts.js';
+import { Commands, Instruments, clock, dial, drawSection, linkCounts, number, reticle, setSection } from './instruments.js';
+import { COLOUR, say } from './canvas.js';
+import { sample } from './data.js';
+import { counts, ladder } from './ladder.js';
+import { scaleText } from './scene.js';
+import { S, fill } from './strings.js';
+
+const $ = (id) => document.getElementById(id);
+const CHARTS_MS = 250; // between two looks at the charts
+
+export class Panels {
+  constructor(scene) {
+    this.scene = scene;
+    this.instruments = new Instruments();
+    this.commands = new Commands();
+    this.charts = new Charts();
+    this.chartsAt = 0;
+    this.text = '';
+  }
+
+  // Whether the page has to be built anew for it.
+  setDisplay(display) {
+    const words = JSON.stringify(display);
+    if (words === this.text) {
+      this.scene.place(null, null, 0, false);
+      return;
+    }
+    this.text = words;
+    this.display = display;
+    this.instruments.setDisplay(display);
+    this.commands.setDisplay(display);
+    this.charts.setDisplay(display);
+    setSection(display.section);
+    $('camera').hidden = !display.camera;
+    $('clock-pred').parentElement.hidden = !display.predicted;
+    if (display.camera) {
+      $('camera').setAttribute('aria-label', display.camera.title);
+      $('camera-tag').textContent = display.camera.title;
+    }
+    $('modes').hidden = !display.modes.length;
+    for (const button of document.querySelectorAll('[data-mode]')) button.hidden = !display.modes.includes(button.dataset.mode);
+    $('legend').replaceChildren(...display.legend.map(({ role, words: meaning, dashed }) => {
+      const entry = document.createElement('span');
+      entry.className = dashed ? 'dash' : '';
+      entry.style.color = COLOUR[role];
+      entry.textContent = meaning;
+      return entry;
+    }));
+    this.scene.setDisplay(display);
+    $('views').replaceChildren(...display.views.map((view, i) => {
+      const button = document.createElement('button');
+      button.textContent = view.label;
+      button.dataset.view = view.label.toLowerCase();
+      button.onclick = () => this.setView(i);
+      return button;
+    }));
+    $('views').hidden = display.views.length < 2;
+    this.setView(this.scene.chosen);
+  }
+
+  setView(chosen) {
+    this.scene.chosen = chosen;
+    [...$('views').children].forEach((button, i) => button.setAttribute('aria-pressed', String(i === chosen)));
+    $('scale').textContent = scaleText(this.display.views[chosen]);
+  }
+
+  nextView() {
+    if (this.display) this.setView((this.scene.chosen + 1) % this.display.views.length);
+  }
+
+  // `age`, `since` words beside the first two clocks.
+  clocks(frame, now, age, since, stale) {
+    const measured = sample(frame, this.display.measured);
+    const predicted = sample(frame, this.display.predicted);
+    clock('gen', measured?.t, age, stale);
+    clock('rx', measured?.received, since, stale);
+    clock('pred', predicted?.t, predicted ? fill(S.ahead, { s: number(predicted.t - now, 1) }) : '', stale);
+  }
+
+  show({ run, frame, rungs, history, now, stale, until }) {
+    const { display } = this;
+    const measured = sample(frame, display.measured);
+    this.instruments.show(frame, stale);
+    if (display.section) drawSection(display.section, frame);
+    this.commands.show(frame);
+    dial($('dial'), run, frame.round_trip, measured?.transit);
+    linkCounts(frame, measured, run.step_s);
+    ladder($('ladder'), run, display.commands.axes, rungs, now);
+    say($('ladder-counts'), counts(rungs));
+    this.scene.place(frame, history, now, stale);
+    if (performance.now() - this.chartsAt > CHARTS_MS) {
+      this.chartsAt = performance.now();
+      this.charts.show(history.charts, frame, until);
+    }
+  }
+
+  showReticle(frame) {
+    if (this.display?.camera && frame) reticle($('reticle'), this.scene, this.display.camera, frame);
+  }
+}
