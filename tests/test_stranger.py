@@ -23,6 +23,8 @@ from runs import counts, messages, ROOT, verdict_of
 
 from rvd_dynamics.diagram import in_process, mission, scenario, streams
 from rvd_dynamics.diagram.control import Change
+from rvd_dynamics.diagram.display import as_data
+from rvd_groundstation.console.provider import display_of
 
 SOURCE = ROOT / 'tests' / 'stranger' / 'one_axis'
 SCENARIO = SOURCE / 'scenarios' / 'one_axis.yaml'
@@ -149,13 +151,11 @@ def test_its_chance_is_keyed_by_the_name_of_the_purpose(one_axis):
     np.testing.assert_array_equal(start[0], [-10.0, 0.0] + np.array([0.5, 0.02])*expected)
 
 
-def test_its_display_is_data(one_axis):
-    shown = pytest.importorskip('rvd_dynamics.diagram.display')
-    from rvd_dynamics.diagram.build import made
-    display = made(one_axis.mission.display, one_axis.part, 'display')
+def test_its_display_is_a_box_that_the_console_takes(one_axis):
+    display = display_of(one_axis).display
     assert [solid.size_m for body in display.bodies for solid in body.shape] == [(1.0, 0.6, 0.6)]
-    assert set(display.parts()) <= set(one_axis.diagram.signals)
-    json.dumps(shown.as_data(display))
+    assert set(display.parts()) == {'/ground/telemetry', '/ground/command'}
+    json.dumps(as_data(display))
 
 
 # -- prefixes that cannot be loaded --------------------------------------------------------------
@@ -359,14 +359,14 @@ BROKEN = {
     'a second writer of thrust': (
         'one_axis/diagram.py', "writes={'command': command, 'uplink': UPLINK}",
         "writes={'command': command, 'uplink': UPLINK, 'thrust': THRUST}",
-        'block onboard_guard writes /onboard/thruster_command, which controller writes too'),
+        'block onboard_guard writes /onboard/thruster_command as thrust, which controller.thrust writes'),
     'a thrust without an initial value': (
         'one_axis/signals.py', ', initial=0.0', '',
         'block onboard_guard writes /onboard/thruster_command, whose command has no initial value'),
     'a wrong shape': (
         'one_axis/space.py', 'DOWNLINK(state=truth.state + self._sigma*self._noise[..., k, :])',
         'DOWNLINK(state=truth.state[..., :1])',
-        'block sensor writes /onboard/downlink: state must have shape (2,), got (1,)'),
+        'block sensor writes /onboard/downlink at step 0: state must have shape (2,), got (1,)'),
     'a command that is NaN': (
         'one_axis/ground.py', 'command = self._form.quantise(wanted)', 'command = wanted',
         'block controller writes /ground/command at step 0: a command must be finite, got [nan]'),

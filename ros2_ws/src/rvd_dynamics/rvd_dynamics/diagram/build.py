@@ -7,7 +7,7 @@ A constructor says with its parameters what it needs, and gets that and nothing 
 """
 
 import inspect
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import fields, is_dataclass, replace
 from functools import lru_cache
 from importlib import import_module
@@ -39,10 +39,17 @@ def loaded(name: str) -> Any:
         raise ValueError(f'module {module} has no {attribute}') from None
 
 
+def needs(name: str, owner: str) -> Mapping[str, inspect.Parameter]:
+    """Return the parameters by name of what 'module:NAME' names; errors as `made`."""
+    try:
+        return _parameters(name)
+    except ValueError as error:
+        raise ValueError(f'{owner}: {error}') from error.__cause__
+
+
 @lru_cache(maxsize=None)
-def needs(name: str) -> tuple[str, ...]:
-    """Return the names of the parameters of what 'module:NAME' names, without defaults or not."""
-    return tuple(inspect.signature(loaded(name)).parameters)
+def _parameters(name: str) -> Mapping[str, inspect.Parameter]:
+    return inspect.signature(loaded(name)).parameters
 
 
 def made(name: str, available: Callable[[str], Any], owner: str) -> Any:
@@ -54,12 +61,8 @@ def made(name: str, available: Callable[[str], Any], owner: str) -> Any:
     ValueError
         If it cannot be loaded or nothing of a name is available; the text names `owner`.
     """
-    try:
-        wanted = inspect.signature(loaded(name)).parameters.values()
-    except ValueError as error:
-        raise ValueError(f'{owner}: {error}') from error.__cause__
     arguments = {}
-    for parameter in wanted:
+    for parameter in needs(name, owner).values():
         try:
             arguments[parameter.name] = available(parameter.name)
         except LookupError:

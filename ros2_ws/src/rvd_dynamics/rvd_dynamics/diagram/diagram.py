@@ -9,7 +9,7 @@ Rules   every signal has one writer; a cycle has a delay in it; a truth signal i
         world and read by the world and the watchers alone; nothing passes between the craft and
         the ground but through a leg of the link; the guard is the only writer of the thrust
         command, which has an initial value; what a slower block writes is read with a delay of
-        at least one step.
+        at least one step; two purposes of draws have two streams.
 """
 
 from collections.abc import Iterable, Iterator
@@ -21,6 +21,7 @@ import numpy as np
 from rvd_dynamics.diagram.block import (
     Block, External, GROUND, Leg, LINK, ONBOARD, Read, SEES_TRUTH, SEGMENTS, WATCH, WORLD)
 from rvd_dynamics.diagram.signal import Signal
+from rvd_dynamics.diagram.streams import number_of
 
 GROUPINGS = ('blocks', 'segments', 'one')
 # Segment of a reader: segments whose signals it may read.
@@ -66,7 +67,9 @@ class Diagram:
         self._check_names()
         self._check_writers()
         self._check_reads()
+        self._check_externals()
         self._check_thrust()
+        self._check_draws()
         self.order                              # refuses a cycle without delay
 
     # -- look-up ----------------------------------------------------------------------------
@@ -94,13 +97,24 @@ class Diagram:
 
     @cached_property
     def order(self) -> tuple[Block, ...]:
-        """The blocks so that each comes after those whose present output it reads."""
+        """
+        The blocks so that each comes after those whose present output it reads.
+
+        What is held comes before its readers, too, unless it waits for them.
+        """
+        self._sorted(held=False)                    # refuses a cycle without delay
+        try:
+            return self._sorted(held=True)
+        except DiagramError:
+            return self._sorted(held=False)
+
+    def _sorted(self, held: bool) -> tuple[Block, ...]:
         done: dict[str, Block] = {}
         for block in self.blocks:
-            self._visit(block, [], done)
+            self._visit(block, [], done, held)
         return tuple(done.values())
 
-    def _visit(self, block: Block, path: list[str], done: dict[str, Block]) -> None:
+    def _visit(self, block: Block, path: list[str], done: dict[str, Block], held: bool) -> None:
         if block.name in done:
             return
         if block.name in path:
@@ -108,8 +122,8 @@ class Diagram:
             raise DiagramError(f'blocks {" -> ".join(cycle)} wait for each other: a cycle needs a '
                                'delay of at least one step')
         for read in block.reads.values():
-            if read.delay == 0 and not read.held and read.signal.name in self.writer_of:
-                self._visit(self.writer_of[read.signal.name], [*path, block.name], done)
+            if read.delay == 0 and (held or not read.held) and read.signal.name in self.writer_of:
+                self._visit(self.writer_of[read.signal.name], [*path, block.name], done, held)
         done[block.name] = block
 
     def readers_of(self, signal: str) -> list[Block]:
@@ -124,19 +138,24 @@ class Diagram:
         for name in names:
             if names.count(name) > 1:
                 raise DiagramError(f'block {name} is declared twice: names are unique')
+        for block in self.blocks:
+            if block.segment == LINK and not isinstance(block, Leg):
+                raise DiagramError(f'block {block.name} of segment {LINK} is no leg: only a leg '
+                                   'of the link joins craft and ground')
         for role in ('plant', 'guard'):
             if getattr(self, role) not in self.by_name:
                 raise DiagramError(f'the {role} must be one of the blocks '
                                    f'{", ".join(self.by_name)}, got {getattr(self, role)!r}')
 
     def _check_writers(self) -> None:
-        writers: dict[str, Block] = {}
+        writers = {topic: external.name for external in self.externals
+                   for topic in external.writes}
         for block in self.blocks:
-            for signal in block.writes.values():
-                other = writers.setdefault(signal.name, block)
-                if other is not block:
-                    raise DiagramError(f'block {block.name} writes {signal.name}, which '
-                                       f'{other.name} writes too: a signal has one writer')
+            for output, signal in block.writes.items():
+                other = writers.setdefault(signal.name, f'{block.name}.{output}')
+                if other != f'{block.name}.{output}':
+                    raise DiagramError(f'block {block.name} writes {signal.name} as {output}, '
+                                       f'which {other} writes too: a signal has one writer')
                 if signal.truth and block.segment != WORLD:
                     raise DiagramError(f'block {block.name} of segment {block.segment} writes '
                                        f'{signal.name}: truth is written by the world')
@@ -176,6 +195,35 @@ class Diagram:
             raise DiagramError(f'block {block.name} (period {block.period}) reads {name} of '
                                f'{writer.name} (period {writer.period}) without delay: what a '
                                'slower block writes is read at least one step later')
+
+    def _check_externals(self) -> None:
+        for external in self.externals:
+            for topic in external.reads:
+                writer = self.writer_of.get(topic)      # none: what a leg says of itself
+                if writer is None:
+                    continue
+                if self.signals[topic].truth and external.segment not in SEES_TRUTH:
+                    raise DiagramError(f'{external.name} of segment {external.segment} reads '
+                                       f'{topic}: truth is for the world and the watchers alone')
+                if writer.segment not in MAY_READ[external.segment]:
+                    raise DiagramError(
+                        f'{external.name} of segment {external.segment} reads {topic} of segment '
+                        f'{writer.segment}: only a leg of the link joins them')
+
+    def _check_draws(self) -> None:
+        streams: dict[int, tuple[str, str]] = {}
+        for block in self.blocks:
+            for name, draw in block.draws.items():
+                for purpose in draw.purposes:
+                    try:
+                        number = number_of(purpose)
+                    except ValueError as error:
+                        raise DiagramError(f'block {block.name} draws {name}: {error}') from None
+                    other, its = streams.setdefault(number, (block.name, purpose))
+                    if its != purpose:
+                        raise DiagramError(f'block {block.name} draws {name} from {purpose}, which '
+                                           f'has the stream of {its} of block {other}: give it '
+                                           'another name')
 
     def _check_thrust(self) -> None:
         writer = self.writer_of.get(self.thrust)

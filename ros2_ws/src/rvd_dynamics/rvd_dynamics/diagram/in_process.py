@@ -132,7 +132,7 @@ def check(scenario: Scenario) -> None:
                 raise ValueError(f'{_operator(scenario)}{block.name} reads {read.signal.name} '
                                  f'from {outside}, which takes a graph and a wall clock: in one '
                                  'process only blocks take part')
-        for name in needs(block.make):
+        for name in needs(block.make, f'block {block.name}'):
             if name in scenario.mission.parts:
                 scenario.part(name)
 
@@ -203,9 +203,6 @@ class Loop:
         self._slots = {name: _Slot(signal) for name, signal in self._diagram.signals.items()}
         for block in self._diagram.blocks:
             for read in block.reads.values():
-                if read.signal.name not in self._slots:
-                    raise DiagramError(f'block {block.name} reads {read.signal.name}, which no '
-                                       'block writes: it can be flown in a graph only')
                 slot = self._slots[read.signal.name]
                 slot.depth = max(slot.depth, read.delay)
         for slot in self._slots.values():

@@ -9,7 +9,7 @@ the rows of a shorter one. Normals have zero mean and unit deviation; uniforms l
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any, NamedTuple, Protocol
+from typing import Any, ClassVar, NamedTuple, Protocol
 from zlib import crc32
 
 import numpy as np
@@ -188,6 +188,10 @@ class Draw(Protocol):
     conditions with equal draws share them.
     """
 
+    @property
+    def purposes(self) -> tuple[str, ...]:
+        """What the streams are for from which it draws; see `number_of`."""
+
     def of_run(self, seed: int, run: int, steps: int) -> Any:
         """Return the draws of one run."""
 
@@ -201,6 +205,11 @@ class Normals:
 
     purpose: str
     width: int
+
+    @property
+    def purposes(self) -> tuple[str, ...]:
+        """The one stream."""
+        return (self.purpose,)
 
     def of_run(self, seed: int, run: int, steps: int) -> Block:
         """Return (steps, width)."""
@@ -218,6 +227,11 @@ class StartNormals:
     purpose: str = 'start'
     width: int = 6
 
+    @property
+    def purposes(self) -> tuple[str, ...]:
+        """The one stream."""
+        return (self.purpose,)
+
     def of_run(self, seed: int, run: int, steps: int) -> Block:
         """Return (width,)."""
         return generator(seed, run, self.purpose).standard_normal(self.width)
@@ -232,6 +246,7 @@ class PilotChance:
     """Everything that a model pilot draws over a run, and the skill of the person who flies."""
 
     runs_per_operator: int = 1
+    purposes: ClassVar[tuple[str, ...]] = ('pilot', 'pilot_skill')
 
     def of_run(self, seed: int, run: int, steps: int) -> tuple[PilotDraws, float]:
         """Return the draws of a run and the skill."""

@@ -40,6 +40,11 @@ class LinkChance:
     hold_steps: int
     step_ns: int
 
+    @property
+    def purposes(self) -> tuple[str, ...]:
+        """The one stream."""
+        return (self.purpose,)
+
     def of_run(self, seed: int, run: int, steps: int) -> LinkPlan:
         """Return the plan of one run."""
         return draw_plan(self.params, streams.generator(seed, run, self.purpose), steps,
