@@ -12,25 +12,29 @@ from rclpy.context import Context
 from rclpy.executors import SingleThreadedExecutor
 from runs import ROOT
 
+from rvd_campaign.flight.domain import reserved_domain
 from rvd_dynamics.diagram.ros import qos
 from rvd_dynamics.diagram.roster import Roster
 from rvd_dynamics.diagram.scenario import load
 from rvd_interfaces.msg import RelativeState, ThrustCommand, Verdict
 from rvd_interfaces.srv import RunControl
 from sensor_msgs.msg import Joy
+from std_msgs.msg import String
 
-DOMAIN = 71
+ME = 'test_hand'                  # the name of this test among the nodes of a run
 
 
 class Hand:
     """Starts nodes with `./rvd node` and listens as any other ROS program would."""
 
-    def __init__(self, domain: int, scenario) -> None:
+    def __init__(self, scenario) -> None:
+        self.reserved = reserved_domain()       # two of these at once must not hear each other
+        domain = self.reserved.__enter__()
         self.environment = {**os.environ, 'ROS_DOMAIN_ID': str(domain)}
         self.scenario, self.processes, self.heard = scenario, {}, {}
         self.context = Context()
         rclpy.init(context=self.context, domain_id=domain)
-        self.node = rclpy.create_node('test_hand', context=self.context)
+        self.node = rclpy.create_node(ME, context=self.context)
         self.executor = SingleThreadedExecutor(context=self.context)
         self.executor.add_node(self.node)
 
@@ -41,13 +45,23 @@ class Hand:
              '--params-file', str(self.scenario), *args],
             env=self.environment, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
 
-    def start_ring(self, but=()):
-        """Start the blocks of the scenario, or their groups."""
-        for process in Roster(load(self.scenario)).processes:
+    def start_ring(self, but=(), waits=False):
+        """Start the blocks of the scenario, or their groups; `waits`: they stand still till `go`."""
+        self.roster = Roster(load(self.scenario))
+        told = ['-p', f'nodes:=[{",".join((*self.roster.names, ME))}]'] if waits else []
+        if waits:
+            self.ready = self.node.create_publisher(String, '/run/ready', qos.of('/run/ready'))
+            self.started = self.listen('/run/ready', String)
+        for process in self.roster.processes:
             if process.name not in but:
                 group = ['-p', f'group:={process.name}'] if process.grouped else []
-                self.start(process.name, *group, package=process.package,
+                self.start(process.name, *group, *told, package=process.package,
                            executable=process.executable)
+
+    def go(self):
+        """Let the run begin: who waits for it counts as one of the nodes."""
+        self.until(lambda: {m.data for m in self.started} >= set(self.roster.names), 'the nodes')
+        self.ready.publish(String(data=ME))
 
     def listen(self, topic, kind):
         self.heard[topic] = []
@@ -74,6 +88,7 @@ class Hand:
         self.executor.shutdown()
         self.node.destroy_node()
         self.context.try_shutdown()
+        self.reserved.__exit__(None, None, None)
 
 
 @pytest.fixture
@@ -82,7 +97,7 @@ def hand(tmp_path):
     scenario = tmp_path / 'scenario.yaml'
     text = (ROOT / 'scenarios' / 'paper.yaml').read_text()
     scenario.write_text(text.replace('mode: shared', 'pace: lockstep\n    mode: shared'))
-    made = Hand(DOMAIN, scenario)
+    made = Hand(scenario)
     yield made
     made.close()
 

@@ -13,14 +13,12 @@ import numpy as np
 import pytest
 from conftest import Flown
 from runs import alive, counts, end, node_pid, ROOT, start_rvd, verdict_of, wait_for
-from std_msgs.msg import String
 from test_by_hand import Hand
 from test_recording import columns
 from test_repeat import assert_equals_loop
 
 from rvd_dynamics.diagram.control import Change
 from rvd_dynamics.diagram.in_process import fly
-from rvd_dynamics.diagram.ros import qos
 from rvd_dynamics.diagram.ros.host import message_type
 from rvd_dynamics.diagram.roster import Roster
 from rvd_dynamics.diagram.scenario import load
@@ -29,7 +27,6 @@ from rvd_dynamics.recording.reader import read
 from rvd_interfaces.msg import RelativeState, RunEvent, ThrustCommand
 from rvd_interfaces.srv import RunControl
 
-DOMAIN = 75
 GROUPED = ('segments', 'one')
 PROCESSES = {'segments': ['world', 'onboard', 'link', 'ground', 'watch'], 'one': ['one']}
 SCENARIOS = {'paper': ('flight', '3'), 'rough_link': ('rough_flight', '11'),
@@ -100,29 +97,15 @@ def test_the_run_folder_is_that_of_any_flight(processes, grouped):
 # -- by hand -----------------------------------------------------------------------------------
 
 class Groups(Hand):
-    """Starts the groups of a scenario; they wait at the start for `go`."""
+    """Starts the groups of a scenario."""
 
     def __init__(self, folder: Path, processes: str, **values) -> None:
         scenario = load(ROOT / 'scenarios' / 'paper.yaml').with_values(
             '/**', processes=processes, **values)
         path = folder / 'scenario.yaml'
         path.write_text(scenario.dump())
-        super().__init__(DOMAIN, path)
+        super().__init__(path)
         self.roster = Roster(scenario)
-        self.ready = self.node.create_publisher(String, '/run/ready', qos.of('/run/ready'))
-        self.started = self.listen('/run/ready', String)
-
-    def start_ring(self):
-        nodes = f'[{",".join((*self.roster.names, "test_hand"))}]'
-        for process in self.roster.processes:
-            where = {'package': process.package, 'executable': process.executable}
-            group = ['-p', f'group:={process.name}'] if process.grouped else []
-            self.start(process.name, *group, '-p', f'nodes:={nodes}', **where)
-
-    def go(self):
-        """Let the run begin: this test counts as one of its nodes."""
-        self.until(lambda: {m.data for m in self.started} == set(self.roster.names), 'the groups')
-        self.ready.publish(String(data='test_hand'))
 
     def look(self, seconds):
         until = time.monotonic() + seconds
@@ -149,7 +132,7 @@ def test_every_topic_is_published_though_nobody_in_the_graph_needs_it(processes,
     hand = groups(processes, timeout_s=30.0)
     heard = {topic: hand.listen(topic, message_type(hand.roster.topics[topic]))
              for topic in (*hand.roster.owed, '/run/end', '/run/scenario')}
-    hand.start_ring()
+    hand.start_ring(waits=True)
     hand.go()
     hand.until(lambda: heard['/run/end'], 'the end of the run')
     hand.until(lambda: all(len(heard[t]) == 61 for t in set(hand.roster.owed) - {'/clock'}),
@@ -189,7 +172,7 @@ def test_pause_resume_mode_and_abort_get_through(processes, pace, factor, groups
     commands = hand.listen('/ground/command', ThrustCommand)
     thrust = hand.listen('/onboard/thruster_command', ThrustCommand)
     control = Control(hand)
-    hand.start_ring()
+    hand.start_ring(waits=True)
     hand.go()
     hand.until(lambda: len(truth) > 50, 'fifty steps')
     begun = time.monotonic()
@@ -219,7 +202,7 @@ def test_an_abort_and_a_change_of_mode_fly_as_in_process_when_they_come_in_the_s
     thrust = hand.listen('/onboard/thruster_command', ThrustCommand)
     events = hand.listen('/run/events', RunEvent)
     control = Control(hand)
-    hand.start_ring()
+    hand.start_ring(waits=True)
     hand.go()
     hand.until(lambda: len(truth) > 150, 'the beginning')
     control(RunControl.Request.MODE, 'manual')
@@ -321,7 +304,7 @@ def test_of_a_hung_group_the_block_that_owes_is_named(victim, nodes, flying, tmp
 def test_a_group_told_to_stop_in_the_middle_of_its_work_says_nothing(number, groups):
     hand = groups('one', pace='lockstep', **LONG)
     truth = hand.listen('/truth/relative_state', RelativeState)
-    hand.start_ring()
+    hand.start_ring(waits=True)
     hand.go()
     hand.until(lambda: len(truth) > 200, 'two hundred steps')
     pid = wait_for(lambda: node_pid(hand.processes['one'].pid, 'one', itself=True), 'the process')

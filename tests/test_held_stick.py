@@ -9,7 +9,6 @@ from test_by_hand import Hand
 from rvd_dynamics.diagram.ros import qos
 from rvd_interfaces.msg import ThrustCommand
 
-DOMAIN = 73
 SCENARIO = """
 /**:
   ros__parameters:
@@ -17,6 +16,7 @@ SCENARIO = """
     pace_factor: 4.0
     operator: joy
     joy_input: held
+    processes: %s
 auto_controller:
   ros__parameters: {law: %s}
 command_blender:
@@ -24,17 +24,21 @@ command_blender:
 """
 
 
+@pytest.mark.parametrize('processes', [
+    'blocks', *(pytest.param(p, marks=pytest.mark.slow) for p in ('segments', 'one'))])
 @pytest.mark.parametrize('law, sharing', [('none', 'eq25'), ('barrier', 'filter')])
-def test_a_held_stick_reaches_the_command(law, sharing, tmp_path):
+def test_a_held_stick_reaches_the_command(law, sharing, processes, tmp_path):
     """Level -1 on z, which is safe at the start; a filter that had not heard it would say 0."""
     scenario = tmp_path / 'held.yaml'
-    scenario.write_text(SCENARIO % (law, sharing))
-    hand = Hand(DOMAIN, scenario)
+    scenario.write_text(SCENARIO % (processes, law, sharing))
+    hand = Hand(scenario)
     try:
         commands = hand.listen('/ground/command', ThrustCommand)
         joy = hand.node.create_publisher(Joy, '/joy', qos.of('/joy', 'held'))
-        hand.start_ring()
-        sent = 0.0
+        hand.start_ring(waits=True)
+        sent, readers = 0.0, 1 + (law == 'barrier')
+        hand.until(lambda: joy.get_subscription_count() >= readers, 'who reads the stick')
+        hand.go()
 
         def hold():
             nonlocal sent
@@ -44,6 +48,6 @@ def test_a_held_stick_reaches_the_command(law, sharing, tmp_path):
             return len(commands) > 14
         hand.until(hold, 'fourteen commands')
         held = [list(c.levels) for c in commands if c.step >= 11]
-        assert [0, 0, -1] in held, held
+        assert [0, 0, -1] in held, [(c.step, list(c.levels), c.reason) for c in commands]
     finally:
         hand.close()

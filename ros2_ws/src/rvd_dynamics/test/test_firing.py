@@ -27,7 +27,8 @@ from rvd_dynamics.diagram.ros.main import make
 def ros(monkeypatch):
     """Make ROS ready for nodes in this process, which hear nobody else."""
     monkeypatch.setenv('RVD_LEAN', '1')
-    rclpy.init(domain_id=98)
+    monkeypatch.setenv('ROS_AUTOMATIC_DISCOVERY_RANGE', 'OFF')
+    rclpy.init()
     yield
     rclpy.try_shutdown()
 

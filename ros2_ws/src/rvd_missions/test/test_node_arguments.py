@@ -143,7 +143,8 @@ def test_a_bad_override_is_refused_in_one_line(word, words):
 
 
 @pytest.fixture
-def ros():
+def ros(monkeypatch):
+    monkeypatch.setenv('ROS_AUTOMATIC_DISCOVERY_RANGE', 'OFF')
     yield
     rclpy.try_shutdown()
 
@@ -170,7 +171,6 @@ NODES = {
 def test_a_process_that_cannot_run_says_so_in_one_line_and_ends_with_code_2(
         words, said, ros, capfd, monkeypatch):
     monkeypatch.setenv('RVD_LEAN', '1')
-    monkeypatch.setenv('ROS_DOMAIN_ID', '98')
     arguments = parsed([words[0], '--ros-args', *words[1:]])
     with pytest.raises(SystemExit) as ended:
         run(lambda host: make(host, wanted(host, arguments)), arguments,
@@ -187,7 +187,7 @@ def sensor(ros, monkeypatch):
     """Return a sensor as somebody starts it by hand."""
     monkeypatch.delenv('RVD_LEAN', raising=False)
     words = [*ROS, '-p', 'multiplicative.noise_fraction:=0.02', '-p', 'seed:=9', '-p', 'step_s:=1']
-    rclpy.init(args=words, domain_id=98)
+    rclpy.init(args=words)
     host = Host(parsed(words))
     make(host, ('relative_sensor',))
     yield host.nodes['relative_sensor']
@@ -220,7 +220,7 @@ def test_a_parameter_cannot_be_changed_under_way(sensor):
 
 def test_a_lean_node_serves_none(ros, monkeypatch):
     monkeypatch.setenv('RVD_LEAN', '1')
-    rclpy.init(args=[], domain_id=98)
+    rclpy.init(args=[])
     host = Host(told())
     make(host, ('relative_sensor',))
     assert not host.nodes['relative_sensor'].has_parameter('seed')
