@@ -20,15 +20,15 @@ ROS = {'rclpy', 'rvd_interfaces', 'ament_index_python', 'builtin_interfaces', 'r
 
 # Who may import ROS: the runtime of a diagram, the console's node, the command that follows a
 # flight, the benchmark, and the recorder's look-up of installed message definitions.
-MAY_IMPORT_ROS = ['rvd_dynamics.diagram.ros', 'rvd_groundstation.nodes', 'rvd_campaign.flight',
+MAY_IMPORT_ROS = ['rvd_dynamics.diagram.ros', 'rvd_groundstation.console.node', 'rvd_campaign.flight',
                   'rvd_campaign.bench', 'rvd_dynamics.recording.definitions']
 WORLD = ['rvd_dynamics.world']
 ONBOARD = ['rvd_dynamics.onboard']
 # What the ground may use of rvd_dynamics: mathematics and vocabulary of both sides. The craft, the
 # world, and what the link does on the way it knows through frames alone.
 SHARED = [f'rvd_dynamics.{top}' for top in (
-    'constants', 'frames', 'motion', 'geometry', 'commands', 'link.frame', 'diagram',
-    'recording.messages', 'recording.whole')]
+    'constants', 'frames', 'motion', 'geometry', 'commands', 'link.frame', 'link.signals',
+    'diagram', 'recording.messages', 'recording.whole')]
 NOT_GROUND = [*WORLD, *ONBOARD, *(f'rvd_dynamics.link.{part}' for part in (
     'models', 'plan', 'play_out', 'channel', 'leg'))]
 RUNTIME = ['rvd_dynamics.diagram.ros']          # runs blocks of any segment
@@ -223,10 +223,11 @@ def test_the_ground_names_no_topic_of_truth(name):
     constants = [node.value for node in ast.walk(TREES[name])
                  if isinstance(node, ast.Constant) and isinstance(node.value, str)]
     assert not [topic for topic in constants if topic.startswith('/truth')]
-    names = {alias.name for node in ast.walk(TREES[name]) if isinstance(node, ast.ImportFrom)
-             for alias in node.names}
-    used = {node.attr for node in ast.walk(TREES[name]) if isinstance(node, ast.Attribute)}
-    assert 'TRUTH' not in names | used
+    signals = {alias.name for node in ast.walk(TREES[name]) if isinstance(node, ast.ImportFrom)
+               and node.module.endswith('.signals') for alias in node.names}
+    signals |= {node.attr for node in ast.walk(TREES[name]) if isinstance(node, ast.Attribute)
+                and isinstance(node.value, ast.Name) and node.value.id == 'signals'}
+    assert 'TRUTH' not in signals
 
 
 # -- mathematics ----------------------------------------------------------------------------------
