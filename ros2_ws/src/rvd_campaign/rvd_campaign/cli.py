@@ -61,7 +61,8 @@ def _add_fly(commands: argparse._SubParsersAction) -> None:
                           'link, ground ...), or all in one, the fastest (default: the scenario, '
                           'else blocks)')
     fly.add_argument('--operator', choices=('model', 'replay', 'console', 'joy', 'none'),
-                     help='the pilot (default: that of the scenario, else model)')
+                     help='the pilot (default: that of the scenario, else model); a mission without '
+                          'one can be watched by console')
     fly.add_argument('--tape', metavar='FILE',
                      help='with --operator replay: name from `rvd list tapes`, CSV file or bag')
     fly.add_argument('--pace', metavar='lockstep|realtime|FACTOR',

@@ -144,7 +144,7 @@ def test_a_mission_without_figures_has_all_the_rest(recording):
 
 
 @pytest.mark.parametrize('table, why', [
-    ('nowhere:FIGURES', 'lunar_approach: figures: nowhere:FIGURES cannot be loaded: No module'),
+    ('nowhere:FIGURES', "figures: nowhere:FIGURES cannot be loaded: No module named 'nowhere'"),
     ('rvd_missions.lunar_approach.figures:PLOTS', 'has no PLOTS'),
     ('rvd_missions.lunar_approach.figures:AXES', 'must be a dict of Figure by plain names')])
 def test_a_table_of_figures_that_cannot_be_loaded_is_one_line(recording, table, why):

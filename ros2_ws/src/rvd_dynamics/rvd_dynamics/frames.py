@@ -17,7 +17,7 @@ from math import cos, radians, sin
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rvd_dynamics.mission import OrbitParams
+from rvd_dynamics.motion.orbit import OrbitParams
 from rvd_dynamics.diagram.params import param, settings
 
 

@@ -9,7 +9,7 @@ from paper import Paper
 import pytest
 
 from rvd_dynamics.diagram.streams import pilot_draws, PilotDraws, skill_normal
-from rvd_groundstation.operators.pilot import Pilot, PilotParams, PILOTS
+from rvd_groundstation.operators.pilot import PilotParams, PILOTS
 
 STEPS = 300
 QUIET = PilotParams(rate_bias_m_s=0.0, position_bias_m=0.0, position_bias_per_m=0.0,

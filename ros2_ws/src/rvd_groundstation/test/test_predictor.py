@@ -10,7 +10,6 @@ import pytest
 from rvd_dynamics.motion import cw
 from rvd_dynamics.commands.levels import acceleration
 from rvd_groundstation.prediction.predictor import Predictor, PredictorParams
-from rvd_groundstation.prediction.score import Score
 
 PARAMS = PredictorParams()
 ADAPTIVE = PredictorParams(filter='adaptive')

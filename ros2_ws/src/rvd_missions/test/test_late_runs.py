@@ -1,7 +1,6 @@
 """Runs that outlast the usual draws come out as if everything had been drawn at once."""
 
 from approaches import approach
-import numpy as np
 from numpy.testing import assert_array_equal
 import pytest
 

@@ -1,6 +1,5 @@
 """What a page is shown: signals, what is derived of them, and never the truth."""
 
-import json
 
 import numpy as np
 import pytest

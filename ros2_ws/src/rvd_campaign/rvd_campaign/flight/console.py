@@ -169,7 +169,7 @@ def _serve(page: ConsoleProcess, args: argparse.Namespace, scenario: Scenario, r
 def _as_wished(scenario: Scenario, wish: dict[str, Any], flown: int) -> Scenario:
     """Return the scenario of the next run: each has a seed of its own."""
     values = {'seed': wish.get('seed', scenario.run.seed + flown)}
-    if 'mode' in wish:
+    if 'mode' in wish and scenario.has_shared('mode'):
         values['mode'] = wish['mode']
     return scenario.with_values('/**', **values)
 
@@ -195,7 +195,8 @@ def _fly(page: ConsoleProcess, scenario: Scenario, run_dir: Path, runs: Path, do
         if page.stop_asked():
             stopped.append(True)
         return bool(stopped)
-    code = fly.Flight(scenario, run_dir, domain, headless, stop_asked).fly()
+    code = fly.Flight(scenario, run_dir, domain, headless, stop_asked,
+                      console=True).fly()
     if code == EXIT_INTERRUPTED and not stopped:
         raise KeyboardInterrupt
     page.tell('ended', name, 'failed' if code == EXIT_CANNOT else '')

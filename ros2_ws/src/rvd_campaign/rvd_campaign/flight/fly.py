@@ -42,7 +42,7 @@ def main(args: argparse.Namespace) -> int:
         raise CannotRun('--condition, --run and --in-process go with --from DIR')
     scenario = again.chosen(args) if again else chosen(args)
     scenario.diagram                            # refused, if it must be, before there is a folder
-    if operator_of(scenario) == 'console':
+    if 'console' in (args.operator, operator_of(scenario)):
         from rvd_campaign.flight import console
         return console.main(args, scenario)
     run_dir = new_folder(args.out, scenario.name)
@@ -64,12 +64,13 @@ def chosen(args: argparse.Namespace) -> Scenario:
     if args.processes:
         shared['processes'] = args.processes
     for flag in ('mode', 'operator', 'tape'):
-        if getattr(args, flag) and not scenario.has_shared('operator'):
+        watched = flag == 'operator' and args.operator == 'console'     # which needs no operator
+        if getattr(args, flag) and not watched and not scenario.has_shared('operator'):
             raise CannotRun(f'--{flag}: mission {scenario.mission.name} has no operator')
     operator = args.operator or ('replay' if args.tape else operator_of(scenario))
     if args.tape and operator != 'replay':
         raise CannotRun(f'--tape needs --operator replay, not {operator}')
-    if operator:
+    if operator and scenario.has_shared('operator'):
         shared['operator'] = operator
         shared['joy_input'] = 'held' if operator in ('joy', 'console') else 'stepped'
     if args.mode:
@@ -139,10 +140,10 @@ class Flight:
     """One run under supervision."""
 
     def __init__(self, scenario: Scenario, run_dir: Path, domain: int, headless: bool,
-                 stop_asked: Callable[[], bool] = lambda: False) -> None:
+                 stop_asked: Callable[[], bool] = lambda: False, console: bool = False) -> None:
         self._scenario = scenario
         self._run = scenario.run
-        self._roster = listed(scenario, headless)
+        self._roster = listed(scenario, headless, console)
         self._run_dir = run_dir
         self._headless = headless
         self._stop_asked = stop_asked

@@ -18,7 +18,7 @@ import shlex
 import sys
 from typing import NamedTuple
 
-from rvd_dynamics.diagram.block import Leg, Read, WATCH
+from rvd_dynamics.diagram.block import External, GROUND, Leg, Read, WATCH
 from rvd_dynamics.diagram.scenario import load, Scenario
 
 # What a run says about itself, besides the signals of its diagram.
@@ -36,6 +36,8 @@ RUN_TOPICS = {
 # Written by any node whenever it has something to say; nobody waits for them at the start.
 COMMON = ('/run/ready', '/run/events', '/diagnostics')
 RECORDER, MONITOR, MARKERS = 'bag_recorder', 'mission_monitor', 'markers'
+# The browser console where it is not an operator, who declares it in the diagram: it watches.
+CONSOLE = External('console', 'rvd_groundstation', 'console', GROUND)
 RECORDER_LEAD = 64              # [steps] in lock step the recorder is never further behind
 GROUP_EXECUTABLE = 'block_group'        # of rvd_dynamics: several blocks in one process
 
@@ -75,7 +77,7 @@ class Roster:
     def __init__(self, scenario: Scenario, names: Iterable[str] = ()) -> None:
         self.scenario, self.diagram = scenario, scenario.diagram
         self.blocks = {b.name: b for b in self.diagram.blocks if b.in_graph}
-        self.externals = {e.name: e for e in self.diagram.externals}
+        self.externals = {e.name: e for e in (CONSOLE, *self.diagram.externals)}
         self.names = tuple(n for n in names if n) or tuple(self.blocks)
 
     # -- topics -----------------------------------------------------------------------------
@@ -236,10 +238,12 @@ class Roster:
         return at - at % writer.period if writer else at
 
 
-def listed(scenario: Scenario, headless: bool) -> Roster:
-    """Return the roster of a whole run, as the bring-up starts it."""
+def listed(scenario: Scenario, headless: bool, console: bool = False) -> Roster:
+    """Return the roster of a whole run, as the bring-up starts it; `console`: with one to watch."""
     blocks = [block.name for block in scenario.diagram.blocks if block.in_graph]
     externals = [external.name for external in scenario.diagram.externals]
+    if console and CONSOLE.name not in externals:
+        externals.append(CONSOLE.name)
     watchers = [MONITOR, RECORDER]
     if not headless and scenario.mission.markers:
         watchers.append(MARKERS)

@@ -265,7 +265,7 @@ def parse(text: str, name: str) -> Scenario:
         if section != SHARED and section not in mission.sections:
             raise ScenarioError(f'scenario {name}: no node {section!r}'
                                 + nearest(str(section), (SHARED, *mission.sections)))
-        flat = _flat_section(name, section, body)
+        flat = parameters_of(body, section, f'scenario {name}')
         check_keys(name, mission, section, flat)
         sections[section] = flat
     return Scenario(name, mission, sections).check()
@@ -284,18 +284,11 @@ def parse_known(text: str, name: str) -> tuple[Scenario, list[str]]:
         if section != SHARED and section not in mission.sections:
             unknown.append(str(section))
             continue
-        flat, known = _flat_section(name, section, body), _known(mission, section)
+        flat = parameters_of(body, section, f'scenario {name}')
+        known = _known(mission, section)
         sections[section] = {key: value for key, value in flat.items() if key in known}
         unknown += [f'{section}: {key}' for key in flat if key not in known]
     return Scenario(name, mission, sections).check(), unknown
-
-
-def _flat_section(name: str, section: Any, body: Any) -> dict[str, Any]:
-    parameters = body.get('ros__parameters') if isinstance(body, dict) else None
-    if not isinstance(parameters, dict) or len(body) != 1:
-        raise ScenarioError(f'scenario {name}: {section} must hold ros__parameters: '
-                            'and nothing else')
-    return flat_keys(parameters, f'scenario {name}')
 
 
 def mission_of(tree: dict[str, Any], name: str) -> Mission:
@@ -355,6 +348,14 @@ def nearest(word: str, known: Any) -> str:
     """Return the end of a refusal: the nearest known word, or all of them."""
     close = difflib.get_close_matches(word, list(known), n=1, cutoff=0.5)
     return f'; did you mean {close[0]}?' if close else f'; known: {", ".join(known)}'
+
+
+def parameters_of(body: Any, section: str, what: str) -> dict[str, Any]:
+    """Return what a section of a parameter file holds, by dotted keys, or refuse it."""
+    parameters = body.get('ros__parameters') if isinstance(body, dict) else None
+    if not isinstance(parameters, dict) or len(body) != 1:
+        raise ScenarioError(f'{what}: {section} must hold ros__parameters: and nothing else')
+    return flat_keys(parameters, what)
 
 
 def flat_keys(tree: dict, what: str) -> dict[str, Any]:

@@ -24,7 +24,7 @@ from typing import Any
 
 import yaml
 
-from rvd_dynamics.mission import MODES
+from rvd_dynamics.diagram.display import MODES
 from rvd_dynamics.recording import whole
 
 TLX = ('mental', 'physical', 'temporal', 'performance', 'effort', 'frustration')

@@ -13,8 +13,7 @@ from dataclasses import dataclass
 from struct import Struct
 from typing import Any
 
-from rvd_dynamics.diagram.display import MOST_AXES
-from rvd_dynamics.mission import MODES
+from rvd_dynamics.diagram.display import MODES, MOST_AXES
 
 STICK = Struct(f'<BBH{MOST_AXES}fd')
 STICK_KIND = 1

@@ -7,6 +7,7 @@ it serves.
 """
 
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +15,7 @@ import yaml
 
 from rvd_dynamics.diagram import scenario as scenarios
 from rvd_dynamics.diagram.params import dotted
-from rvd_dynamics.diagram.scenario import check_keys, Scenario, SHARED
+from rvd_dynamics.diagram.scenario import check_keys, nearest, Scenario, SHARED
 
 OF_THE_PROCESS = ('group',)             # parameters that are no part of the scenario
 
@@ -29,26 +30,22 @@ class Arguments:
     overrides: tuple[tuple[str, str, Any], ...] = ()        # node or '', key, value
     process: dict[str, Any] = field(default_factory=dict)   # OF_THE_PROCESS
 
+    @cached_property
     def scenario(self) -> Scenario:
         """
-        Return the scenario of the run; only what is asked for of it is built and checked.
+        The scenario of the run; of its settings only those are built that are asked for.
 
         Raises
         ------
         ValueError
-            If a file cannot be read or a key that this process knows is wrong.
+            If a file cannot be read or is no parameter file, a key that this process knows is
+            wrong, or what the mission checks does not fit together.
         """
-        tree: dict[str, dict[str, Any]] = {}
-        for file in self.files:
-            text = scenarios.text_of(file, 'parameter file')
-            for section, body in scenarios.mapping_of(text, str(file)).items():
-                values = body.get('ros__parameters') if isinstance(body, dict) else None
-                tree.setdefault(str(section).lstrip('/') if section != SHARED else SHARED,
-                                {}).update(dotted(values or {}))
+        tree = self._tree()
         shared = tree.setdefault(SHARED, {})
-        named = next((value for node, key, value in self.overrides if key == 'mission'), None)
+        named = [value for node, key, value in self.overrides if (node, key) == ('', 'mission')]
         mission = scenarios.mission_of(
-            {SHARED: {'ros__parameters': {**shared, **({'mission': named} if named else {})}}},
+            {SHARED: {'ros__parameters': {**shared, **({'mission': named[-1]} if named else {})}}},
             self._title())
         sections = {section: values for section, values in tree.items()
                     if section == SHARED or section in mission.sections}
@@ -59,14 +56,35 @@ class Arguments:
             sections.setdefault(section, {})[key] = value
         for section in {SHARED, self.name} & set(sections):
             check_keys(made.name, mission, section, sections[section])
-        return Scenario(self._title(), mission, sections)
+        made = Scenario(self._title(), mission, sections)
+        for part in mission.checked:
+            made.part(part)
+        return made
+
+    def _tree(self) -> dict[str, dict[str, Any]]:
+        """Return what the parameter files say, by section and dotted key; a later file wins."""
+        tree: dict[str, dict[str, Any]] = {}
+        for file in self.files:
+            text = scenarios.text_of(file, 'parameter file')
+            for section, body in scenarios.mapping_of(text, str(file)).items():
+                name = str(section) if section == SHARED else str(section).lstrip('/')
+                if name not in (SHARED, self.name):         # of another node: its own business
+                    values = body.get('ros__parameters') if isinstance(body, dict) else None
+                    flat = dotted(values) if isinstance(values, dict) else {}
+                else:
+                    flat = scenarios.parameters_of(body, name, str(file))
+                tree.setdefault(name, {}).update(flat)
+        return tree
 
     def _section(self, scenario: Scenario, node: str, key: str) -> str:
-        """Return the section that an override without a node's name means."""
-        if node:
-            return node
-        own = self.name in scenario.mission.sections
-        return self.name if own and scenario.has_key(self.name, key) else SHARED
+        """Return the section that an override means: that of a node, where it names one."""
+        if not node:
+            own = self.name in scenario.mission.sections
+            return self.name if own and scenario.has_key(self.name, key) else SHARED
+        if node != SHARED and node not in scenario.mission.sections:
+            raise ValueError(f'-p {node}:{key}: no node {node!r} has parameters of its own'
+                             + nearest(node, scenario.mission.sections))
+        return node
 
     def _title(self) -> str:
         return self.files[0].stem if self.files else 'default'
@@ -83,7 +101,7 @@ def parsed(argv: list[str]) -> Arguments:
     Raises
     ------
     ValueError
-        If an override has not the form NAME:=VALUE.
+        If an override has not the form NAME:=VALUE, or its value is not YAML.
     """
     executable = argv[0].rsplit('/', 1)[-1].removesuffix('.py')
     name, files, overrides, process = executable, [], [], {}
@@ -97,7 +115,10 @@ def parsed(argv: list[str]) -> Arguments:
             if not found:
                 raise ValueError(f'{flag} must be followed by NAME:=VALUE, got {word!r}')
             node, _, key = key.rpartition(':')
-            given = yaml.safe_load(value)
+            try:
+                given = yaml.safe_load(value)
+            except yaml.YAMLError:
+                raise ValueError(f'{flag} {word}: the value is not valid YAML') from None
             if key in OF_THE_PROCESS:
                 process[key] = given
             else:

@@ -49,7 +49,7 @@ class Host:
 
     def __init__(self, arguments: Arguments) -> None:
         self.arguments = arguments
-        self.scenario = arguments.scenario()
+        self.scenario = arguments.scenario
         self.roster = Roster(self.scenario, self.scenario.run.nodes)
         self.nodes: dict[str, RunNode] = {}
         self.firing: list[Any] = []             # nodes of blocks, in the order of the diagram
@@ -258,15 +258,23 @@ def listen_for_the_end(host: Host) -> None:
         host._lead.watch('/run/end', UInt64, lambda message: host.end(message.data))
 
 
+def _init(argv: list[str]) -> None:
+    try:
+        rclpy.init(args=argv)
+    except RuntimeError as error:               # RCLError: arguments that are none of ROS
+        raise ValueError(' '.join(str(error).split())) from None
+
+
 def run(make: Callable[[Host], None], arguments: Arguments, argv: list[str]) -> None:
     """
     Make a process and its nodes, and serve them until the run is over or it is told to stop.
 
     Bad settings end the process with exit code 2 and one line that names the value.
     """
-    rclpy.init(args=argv)
     host = None
     try:
+        arguments.scenario                      # before rclpy finds fault with the same file
+        _init(argv)
         host = Host(arguments)
         make(host)
         listen_for_the_end(host)

@@ -41,8 +41,10 @@ def wanted(host: Host, arguments: Arguments) -> tuple[str, ...]:
         group = arguments.process.get('group', '')
         groups = {p.name: p.nodes for p in roster.processes if p.grouped}
         if group not in groups:
-            raise ValueError(f'group must be one of {", ".join(groups) or "none"} with processes '
-                             f'{host.scenario.run.processes}, got {group!r}')
+            raise ValueError(
+                f'group must be one of {", ".join(groups)} with processes '
+                f'{host.scenario.run.processes}, got {group!r}' if groups else
+                'a group needs processes segments or one, got blocks')
         return groups[group]
     legs = [block.name for block in roster.diagram.blocks if isinstance(block, Leg)]
     if arguments.executable == LEG_EXECUTABLE and arguments.name not in legs:
