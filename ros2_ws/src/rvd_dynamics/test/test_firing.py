@@ -34,7 +34,7 @@ def ros(monkeypatch):
 
 def arguments(scenario):
     """Return what a process is told, with a scenario that stands in no file."""
-    return SimpleNamespace(name='toy', scenario=lambda: scenario, text=lambda: '')
+    return SimpleNamespace(name='toy', scenario=scenario, text=lambda: '')
 
 
 class Processes:
