@@ -26,7 +26,8 @@ from rvd_interfaces.msg import LinkFrame, RelativeState, RunEvent
 
 STEP_NS = 500_000_000
 FRAME = 'target_lvlh'
-RECORDER = [sys.executable, '-c', 'from rvd_dynamics.nodes.bag_recorder import main; main()']
+RECORDER = [sys.executable, '-c', 'from rvd_dynamics.diagram.ros.main import main; main()',
+            '--ros-args', '-r', '__node:=bag_recorder']
 
 
 def domain() -> str:
@@ -65,8 +66,7 @@ class Recorder:
                 ('/onboard/downlink', LinkFrame), ('/joy', Joy), ('/run/events', RunEvent),
                 ('/run/end', UInt64))}
         self.process = subprocess.Popen(
-            [*RECORDER, '--ros-args',
-             '-r', '__node:=bag_recorder', '-p', f'bag_dir:={self.bag}', '-p', f'nodes:={nodes}'],
+            [*RECORDER, '-p', f'bag_dir:={self.bag}', '-p', f'nodes:={nodes}'],
             env={**os.environ, 'RVD_LEAN': '1'}, stderr=subprocess.PIPE, text=True)
 
     def _on_recorded(self, message) -> None:
@@ -219,7 +219,7 @@ def test_steps_that_never_came_are_counted_in_the_file(ros, tmp_path):
     ('bag_dir:=/tmp', 'bag directory /tmp is not empty')])
 def test_a_place_where_no_bag_can_be_is_one_line_and_exit_2(argument, complaint):
     done = subprocess.run(
-        [*RECORDER, '--ros-args', '-p', argument],
+        [*RECORDER, '-p', argument],
         env={**os.environ, 'ROS_DOMAIN_ID': domain()}, capture_output=True, text=True, timeout=30)
     assert done.returncode == 2
     assert complaint in done.stderr and 'Traceback' not in done.stderr

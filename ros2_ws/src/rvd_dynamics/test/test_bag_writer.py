@@ -18,17 +18,20 @@ from sensor_msgs.msg import Joy
 from std_msgs.msg import String
 import yaml
 
+from rvd_dynamics.diagram.ros.conversions import header_at, time_at
+from rvd_dynamics.diagram.roster import Roster
+from rvd_dynamics.diagram.scenario import parse
+from rvd_dynamics.diagram.signal import VALUES
 from rvd_dynamics.recording import bag_writer, definitions, mcap_file
 from rvd_dynamics.recording.bag_writer import BagWriter, repair
 from rvd_dynamics.recording.rosbag2 import qos_words
 from rvd_dynamics.recording.steps import (
     HEADER_THEN_STEP, STAMP_FIRST, STEP_FIRST, StepLedger, step_reader)
-from rvd_dynamics.diagram.ros import graph
-from rvd_dynamics.diagram.ros.conversions import header_at, time_at
 from rvd_interfaces import msg as interfaces
 from rvd_interfaces.msg import LinkFrame, ThrustCommand
 
 STEP_NS = 500_000_000
+ROSTER = Roster(parse('/**: {ros__parameters: {}}', 'written'))
 COMMAND, FRAME, TEXT = '/ground/command', '/ground/uplink', '/run/scenario'
 TOPICS = {COMMAND: 'rvd_interfaces/msg/ThrustCommand', FRAME: 'rvd_interfaces/msg/LinkFrame',
           TEXT: 'std_msgs/msg/String'}
@@ -78,7 +81,7 @@ def stored(path: Path) -> list[tuple[str, bytes, int]]:
 
 # -- definitions and steps ----------------------------------------------------------------------
 
-@pytest.mark.parametrize('kind', sorted(set(graph.TOPICS.values())))
+@pytest.mark.parametrize('kind', sorted({*ROSTER.topics.values(), VALUES}))
 def test_definition_is_what_rosbags_parses_and_its_hash_is_the_one_ros_announces(kind):
     from rosbags.typesys import get_types_from_msg
     parsed = get_types_from_msg(definitions.schema_text(kind), kind)
@@ -117,7 +120,7 @@ def test_step_of_what_carries_none_is_its_stamp():
 
 
 def test_every_topic_that_is_written_once_per_step_tells_its_step():
-    kinds = {graph.TOPICS[t] for spec in graph.NODES.values() for t in spec.emits}
+    kinds = {ROSTER.topics[topic] for topic in ROSTER.owed}
     assert kinds <= HEADER_THEN_STEP | STEP_FIRST | STAMP_FIRST
 
 

@@ -16,9 +16,9 @@ from toy_mission import WANTED
 from rvd_dynamics.diagram import in_process
 from rvd_dynamics.diagram.block import held
 from rvd_dynamics.diagram.diagram import GROUPINGS
-from rvd_dynamics.diagram.ros import firing
+from rvd_dynamics.diagram.ros import inputs
 from rvd_dynamics.diagram.ros.codecs import Parts
-from rvd_dynamics.diagram.ros.firing import HELD_FOR_S, HeldInput
+from rvd_dynamics.diagram.ros.inputs import HELD_FOR_S, HeldInput
 from rvd_dynamics.diagram.ros.host import Host, listen_for_the_end, run
 from rvd_dynamics.diagram.ros.main import make
 
@@ -34,7 +34,7 @@ def ros(monkeypatch):
 
 def arguments(scenario):
     """Return what a process is told, with a scenario that stands in no file."""
-    return SimpleNamespace(name='toy', scenario=lambda: scenario, text=lambda: '')
+    return SimpleNamespace(name='toy', scenario=scenario, text=lambda: '')
 
 
 class Processes:
@@ -322,7 +322,7 @@ def test_a_process_that_falls_behind_the_clock_gives_its_blocks_their_inputs(pro
 @pytest.fixture
 def clock(monkeypatch):
     now = [100.0]
-    monkeypatch.setattr(firing.time, 'monotonic', lambda: now[0])
+    monkeypatch.setattr(inputs.time, 'monotonic', lambda: now[0])
     return now
 
 

@@ -14,17 +14,19 @@ import rclpy
 from rclpy.executors import SingleThreadedExecutor
 import yaml
 
-from rvd_dynamics.mission import Mission
-from rvd_dynamics.nodes import markers
-from rvd_dynamics.diagram.ros import graph, qos
+from rvd_dynamics.diagram.ros import markers, qos
 from rvd_dynamics.diagram.ros.conversions import state_to_msg
+from rvd_dynamics.diagram.roster import Roster
+from rvd_dynamics.diagram.scenario import parse
 from rvd_interfaces.msg import RelativeState
 from visualization_msgs.msg import Marker, MarkerArray
 
 CONFIG = Path(__file__).resolve().parents[4] / 'config'
-TOPICS = graph.TOPICS | {
+SCENARIO = parse('/**: {ros__parameters: {}}', 'viewed')
+TOPICS = Roster(SCENARIO).topics | {
     t: f'{k.__module__.split(".")[0]}/msg/{k.__name__}' for t, k in markers.TOPICS.items()}
-MARKERS = [sys.executable, '-c', 'from rvd_dynamics.nodes.markers import main; main()']
+MARKERS = [sys.executable, '-c', 'from rvd_dynamics.diagram.ros.main import main; main()',
+           '--ros-args', '-r', '__node:=markers']
 
 
 def inside(value, wanted):
@@ -50,7 +52,8 @@ def test_rviz_shows_topics_that_are_published_with_their_types_and_qualities():
         assert display['Class'].split('/')[1] == TOPICS[topic['Value']].split('/')[-1]
         latched = topic['Durability Policy'] == 'Transient Local'
         assert latched == (topic['Value'] in ('/viz/corridor', '/viz/control_boundary'))
-    assert config['Visualization Manager']['Global Options']['Fixed Frame'] == Mission().frame_id
+    assert config['Visualization Manager']['Global Options']['Fixed Frame'] == \
+        SCENARIO.run.frame_id
 
 
 def field_type(kind: str, path: str) -> str:
@@ -103,7 +106,7 @@ def test_without_a_covariance_there_is_no_ellipsoid():
 
 
 def test_every_marker_of_a_topic_has_its_own_name_and_can_be_seen():
-    still = markers.still_scene(Mission(), 0.25)
+    still = markers.still_scene(SCENARIO, 0.25)
     for array in (*still.values(), markers.body(state(np.eye(6)), 'ghost', (0, 0, 1), 2.0)):
         names = [(m.ns, m.id) for m in array.markers]
         assert len(names) == len(set(names))
@@ -129,7 +132,7 @@ def test_markers_follow_a_run_and_end_with_it(monkeypatch):
     from std_msgs.msg import UInt64
     feeds = {t: node.create_publisher(RelativeState, t, qos.of(t)) for t in markers.SOURCES}
     end = node.create_publisher(UInt64, '/run/end', qos.of('/run/end'))
-    process = subprocess.Popen([*MARKERS, '--ros-args', '-p', 'nodes:=[markers]'],
+    process = subprocess.Popen([*MARKERS, '-p', 'nodes:=[markers]'],
                                env={**os.environ, 'RVD_LEAN': '1'}, stderr=subprocess.PIPE)
     try:
         limit = time.monotonic() + 20

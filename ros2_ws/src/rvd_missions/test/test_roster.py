@@ -62,7 +62,7 @@ def test_every_topic_has_one_writer_among_the_nodes_of_a_run(run):
 def test_every_input_is_written_by_the_ring_or_by_whoever_holds_the_stick(run):
     roster = ring(run)
     written = {t for name in roster.names for t in roster.emits(name)}
-    outside = {t for external in roster.externals.values() for t in external.writes}
+    outside = {t for external in roster.diagram.externals for t in external.writes}
     assert outside == ({'/joy'} if run[0] in ('console', 'joy') else set())
     for name in roster.names:
         block = roster.blocks[name]
@@ -101,15 +101,24 @@ def test_a_law_that_uses_the_stick_gets_it_as_the_blender_does(operator, joy_inp
     assert '/joy' not in blind.reads('auto_controller')
 
 
+def test_a_console_may_watch_any_run_and_holds_the_stick_where_it_is_the_operator(run):
+    roster = listed(scenario(*run), headless=True, console=True)
+    assert roster.names.count('console') == 1 and roster.process_of['console'] == 'console'
+    assert roster.writes('console') == ({'/joy'} if run[0] == 'console' else set())
+    assert {'/run/end', '/run/pause', '/run/events', '/run/verdict'} <= roster.reads('console')
+    assert roster.names[-2:] == ('mission_monitor', 'bag_recorder')
+
+
 # -- processes ---------------------------------------------------------------------------------
 
 def test_every_node_has_one_process_and_externals_have_their_own(run):
     roster = whole(run)
     held = [node for process in roster.processes for node in process.nodes]
     assert sorted(held) == sorted(roster.names)
-    for name in roster.externals:
+    externals = [external.name for external in roster.diagram.externals]
+    for name in externals:
         assert roster.process_of[name] == name
-    groups = [p for p in roster.processes if p.name not in roster.externals]
+    groups = [p for p in roster.processes if p.name not in externals]
     if run[3] == 'blocks':
         assert all(p.nodes == (p.name,) and not p.grouped for p in groups)
     else:

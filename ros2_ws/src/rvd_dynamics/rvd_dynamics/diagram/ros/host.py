@@ -262,7 +262,7 @@ def _init(argv: list[str]) -> None:
     try:
         rclpy.init(args=argv)
     except RuntimeError as error:               # RCLError: arguments that are none of ROS
-        raise ValueError(' '.join(str(error).split())) from None
+        raise ValueError(f'bad ROS arguments: {" ".join(str(error).split())}') from None
 
 
 def run(make: Callable[[Host], None], arguments: Arguments, argv: list[str]) -> None:

@@ -8,10 +8,13 @@ group:=NAME` starts all the nodes that share the process NAME when `processes` i
 
 import sys
 
-from rvd_dynamics.diagram.block import Leg
+from rvd_dynamics.diagram.block import Block, Leg
 from rvd_dynamics.diagram.ros.arguments import Arguments, parsed
-from rvd_dynamics.diagram.ros.firing import node_of
+from rvd_dynamics.diagram.ros.block_node import BlockNode
+from rvd_dynamics.diagram.ros.firing import FiringNode
 from rvd_dynamics.diagram.ros.host import Host, run
+from rvd_dynamics.diagram.ros.leg_node import LegNode
+from rvd_dynamics.diagram.ros.plant_node import PlantNode
 from rvd_dynamics.diagram.roster import GROUP_EXECUTABLE, MARKERS, MONITOR, RECORDER
 
 LEG_EXECUTABLE = 'link_emulator'
@@ -64,6 +67,15 @@ def make(host: Host, names: tuple[str, ...]) -> None:
         node.connect()
     for node in blocks:
         node.make()
+
+
+def node_of(host: Host, block: Block) -> FiringNode:
+    """Make the node of a block."""
+    if isinstance(block, Leg):
+        return LegNode(host, block)
+    if block.name == host.roster.diagram.plant:
+        return PlantNode(host, block)
+    return BlockNode(host, block)
 
 
 def _watcher(host: Host, name: str) -> object:

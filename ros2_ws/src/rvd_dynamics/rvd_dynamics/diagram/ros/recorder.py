@@ -52,10 +52,10 @@ def worth(topic: str) -> int:
 class BagRecorder(RunNode):
     """The recorder as a node."""
 
+    _bag: BagWriter | None = None
+
     def __init__(self, host: Host) -> None:
         super().__init__(host, RECORDER)
-        settings: RecorderParams = self.scenario.settings(RECORDER)
-        self._bag = self._open(settings.bag_dir)
         self._truth = self.roster.diagram.truth.name
         self._ledger = StepLedger()
         self._early: list[tuple] | None = []    # kept until the scenario has gone first
@@ -68,6 +68,8 @@ class BagRecorder(RunNode):
         self._steps = self.writer(RECORDED_STEP, UInt64)
         for topic, period in self.roster.owed.items():
             self._ledger.expect(topic, period)
+        settings: RecorderParams = self.scenario.settings(RECORDER)
+        self._bag = self._open(settings.bag_dir)
 
     def connect(self) -> None:
         """Listen to every topic of the run."""
@@ -193,6 +195,8 @@ class BagRecorder(RunNode):
 
     def close(self) -> None:
         """Close the bag; nobody waits for the recorder's own last messages."""
+        if self._bag is None:                   # it could not be opened
+            return
         if self._early:
             self._begin(self._early)
         if self.host.final_step is not None:

@@ -1,0 +1,108 @@
+"""The true world as a node: the clock, the pacing and the end of a run."""
+
+import time
+from typing import Any
+
+from rosgraph_msgs.msg import Clock
+from std_msgs.msg import Bool, String, UInt64
+
+from rvd_dynamics.constants import NS_PER_S
+from rvd_dynamics.diagram.block import Block
+from rvd_dynamics.diagram.ros.block_node import BlockNode
+from rvd_dynamics.diagram.ros.host import Host
+from rvd_dynamics.diagram.ros.wire import Layout
+from rvd_dynamics.diagram.roster import RECORDER, RECORDER_LEAD
+
+TICKS_PER_STEP = 8              # how often the wall clock is looked at in real time
+
+
+class PlantNode(BlockNode):
+    """
+    The true world; it owns `/clock`, the pacing and the end of the run.
+
+    lockstep    step k+1 is made when the thrust of step k is here: as fast as the machine can.
+    realtime    step k is made at k * step_s / pace_factor of wall time, whatever has come.
+    """
+
+    def __init__(self, host: Host, block: Block) -> None:
+        super().__init__(host, block)
+        self._started = self._paused = False
+        self._recorded: int | None = None
+        self._waiting_for = set(self.roster.names) - {
+            e.name for e in self.roster.externals.values() if e.foreign}
+        self._time, self._time_layout = self.writer('/clock', Clock), Layout(Clock)
+        self._end = self.writer('/run/end', UInt64)
+        self._story = self.writer('/run/scenario', String)
+        truth = self.roster.diagram.truth
+        self._truth = next(n for n, s in block.writes.items() if s.name == truth.name)
+
+    def connect(self) -> None:
+        """Subscribe, also to what the run says about itself."""
+        super().connect()
+        self.watch('/run/ready', String, lambda message: self._on_ready(message.data))
+        self.listen('/run/pause', Bool, lambda _, message: self._on_pause(message.data))
+        if RECORDER in self.roster.names:
+            self._recorded = -1
+            self.listen('/run/recorded_step', UInt64, self._on_recorded)
+        self.host.publish(self._story, '/run/scenario', -1,
+                          String(data=self.host.arguments.text()))
+
+    def on_step(self, k: int) -> None:
+        """Advance the truth; say when it is the last of it."""
+        super().on_step(k)
+        self.host.publish(self._time, '/clock', k, self._time_layout.pack(
+            *divmod(k * self.run.step_ns, NS_PER_S)))
+
+    def before_publishing(self, k: int, outputs: dict[str, Any]) -> None:
+        """Say that step k is the last before anybody can have it."""
+        try:
+            final = outputs[self._truth].final
+        except (LookupError, TypeError, AttributeError):
+            self._check(k, outputs)
+            raise
+        if final:
+            self.host.publish(self._end, '/run/end', -1, UInt64(data=k))
+            self.host.end(k)
+
+    # -- pacing -----------------------------------------------------------------------------
+
+    def may_fire(self) -> bool:
+        """In lock step, say whether the next step is due; in real time the clock alone does."""
+        return (self._started and not self.realtime and not self._paused and not self._too_far()
+                and super().may_fire())
+
+    def _too_far(self) -> bool:
+        behind = self._recorded is not None and self._next - self._recorded > RECORDER_LEAD
+        if behind:
+            self.trouble['recorder'] = f'waiting for {RECORDER}, at step {self._recorded}'
+        elif self.trouble:
+            self.trouble.pop('recorder', None)
+        return behind
+
+    def _on_ready(self, name: str) -> None:
+        self._waiting_for.discard(name)
+        if self._waiting_for or self._started:
+            return
+        self._started = True
+        if self.realtime:
+            self._step_s = self.run.step_s / self.run.pace_factor
+            self._origin = time.monotonic()
+            self.create_timer(self._step_s / TICKS_PER_STEP, self.guarded(self._tick))
+
+    def _tick(self) -> None:
+        while (not self._paused and not self.finished and not self._is_over()
+               and time.monotonic() - self._origin >= self._next * self._step_s):
+            self.fire()
+            self.host.work()                    # what of it is here fires before the next step
+
+    def _on_recorded(self, _: int, message: UInt64) -> None:
+        self._recorded = message.data
+
+    def _on_pause(self, paused: bool) -> None:
+        if paused == self._paused:
+            return
+        self._paused = paused
+        self.event('PAUSE' if paused else 'RESUME', 'simulation time '
+                   + ('stands still' if paused else 'goes on'))
+        if self._started and self.realtime and not paused:
+            self._origin = time.monotonic() - self._next * self._step_s
