@@ -12,14 +12,13 @@ from rclpy.context import Context
 from rclpy.executors import SingleThreadedExecutor
 from runs import ROOT
 
-from rvd_dynamics.diagram.ros import graph, qos
+from rvd_dynamics.diagram.ros import qos
+from rvd_dynamics.diagram.roster import Roster
+from rvd_dynamics.diagram.scenario import load
 from rvd_interfaces.msg import RelativeState, ThrustCommand, Verdict
 from rvd_interfaces.srv import RunControl
 from sensor_msgs.msg import Joy
 
-PACKAGE = {name: 'rvd_groundstation' for name in (
-    'state_predictor', 'auto_controller', 'command_blender', 'operator_model',
-    'joystick_replay')}
 DOMAIN = 71
 
 
@@ -35,17 +34,20 @@ class Hand:
         self.executor = SingleThreadedExecutor(context=self.context)
         self.executor.add_node(self.node)
 
-    def start(self, name, *args, executable=None):
+    def start(self, name, *args, package='rvd_dynamics', executable=None):
         self.processes[name] = subprocess.Popen(
-            [str(ROOT / 'rvd'), 'node', PACKAGE.get(name, 'rvd_dynamics'), executable or name,
-             '--ros-args', '-r', f'__node:={name}', '--params-file', str(self.scenario), *args],
+            [str(ROOT / 'rvd'), 'node', package, executable or name, '--ros-args',
+             *(['-r', f'__node:={name}'] if executable != 'block_group' else []),
+             '--params-file', str(self.scenario), *args],
             env=self.environment, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
 
-    def start_ring(self, operator='operator_model', but=()):
-        for name in (*graph.RING, operator):
-            if name is not None and name not in but:
-                link = name in ('link_back', 'link_forward')
-                self.start(name, executable='link_emulator' if link else None)
+    def start_ring(self, but=()):
+        """Start the blocks of the scenario, or their groups."""
+        for process in Roster(load(self.scenario)).processes:
+            if process.name not in but:
+                group = ['-p', f'group:={process.name}'] if process.grouped else []
+                self.start(process.name, *group, package=process.package,
+                           executable=process.executable)
 
     def listen(self, topic, kind):
         self.heard[topic] = []
@@ -112,7 +114,7 @@ def test_a_node_of_ones_own_can_be_the_pilot(hand):
     answered = 0
     hand.scenario.write_text(hand.scenario.read_text().replace(
         'operator: model ', 'operator: joy\n    joy_input: stepped '))
-    hand.start_ring(operator=None)
+    hand.start_ring()
 
     def fly():
         nonlocal answered

@@ -33,7 +33,7 @@ def test_a_held_stick_reaches_the_command(law, sharing, tmp_path):
     try:
         commands = hand.listen('/ground/command', ThrustCommand)
         joy = hand.node.create_publisher(Joy, '/joy', qos.of('/joy', 'held'))
-        hand.start_ring(operator=None)
+        hand.start_ring()
         sent = 0.0
 
         def hold():
