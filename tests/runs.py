@@ -100,15 +100,19 @@ def alive(pid: int) -> bool:
         return False
 
 
-def node_pid(root_pid: int, name: str) -> int:
-    """Return the process of node `name` of a run, once it is there."""
+def node_pid(root_pid: int, name: str, itself: bool = False) -> int:
+    """
+    Return the process of node or group `name` of a run, once it is there.
+
+    `itself`: it may also be the process `root_pid`.
+    """
     def look() -> int | None:
-        for pid in pids_under(root_pid):
+        for pid in pids_under(root_pid) | ({root_pid} if itself else set()):
             try:
                 words = Path(f'/proc/{pid}/cmdline').read_bytes().decode().split('\0')
             except OSError:
                 continue
-            if f'__node:={name}' in words and 'python' in words[0]:
+            if {f'__node:={name}', f'group:={name}'} & set(words) and 'python' in words[0]:
                 return pid
         return None
     return wait_for(look, f'node {name}')

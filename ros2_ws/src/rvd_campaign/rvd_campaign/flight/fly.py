@@ -179,9 +179,15 @@ class Flight:
                 return (f'the graph did not come up in {START_S:g} s: not ready: '
                         f'{", ".join(waiting) or self._roster.diagram.plant}')
             if self._stalled(now):
-                owing = self._watch.who_owes()
-                return (f'no step for {STALL_S:g} s of wall time: '
-                        f'{", ".join(owing) or "no node"} owes a message')
+                return f'no step for {STALL_S:g} s of wall time: {self._owing()}'
+
+    def _owing(self) -> str:
+        """Say which nodes owe a message, and in which process they are if it is not their own."""
+        owing = self._watch.who_owes()
+        homes = dict.fromkeys(self._roster.process_of[name] for name in owing)
+        shared = '' if list(homes) == owing else f' (process {", ".join(homes)})'
+        verb = 'owe' if len(owing) > 1 else 'owes'
+        return f'{", ".join(owing) or "no node"}{shared} {verb} a message'
 
     @staticmethod
     def _is_final(judged: Any) -> bool:
