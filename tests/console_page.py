@@ -72,10 +72,10 @@ def _missing(what: str) -> None:
 class Console:
     """`rvd fly --operator console` under test."""
 
-    def __init__(self, folder: Path, *args: str) -> None:
+    def __init__(self, folder: Path, *args: str, overlay: Path | None = None) -> None:
         self.folder = folder
         self.process = start_rvd('fly', *args, '--operator', 'console', '--port', '0',
-                                 '--headless', cwd=folder)
+                                 '--headless', cwd=folder, overlay=overlay)
         self.url = wait_for(self._url, 'the address of the page')
 
     def _url(self) -> str | None:

@@ -21,9 +21,16 @@ def rvd(*args: str, cwd: Path, timeout: float = 120.0) -> subprocess.CompletedPr
                           capture_output=True, text=True)
 
 
-def start_rvd(*args: str, cwd: Path) -> subprocess.Popen:
-    """Start `rvd ARGS` in a process group of its own, output kept in `cwd`/out."""
-    return subprocess.Popen(command(*args), cwd=cwd, env=environment(), text=True,
+def start_rvd(*args: str, cwd: Path, overlay: Path | None = None) -> subprocess.Popen:
+    """
+    Start `rvd ARGS` in a process group of its own, output kept in `cwd`/out.
+
+    `overlay` is an install folder with further packages, loaded by the script `rvd`.
+    """
+    words, env = command(*args), environment()
+    if overlay is not None:
+        words, env = [str(ROOT / 'rvd'), *args], {**env, 'RVD_OVERLAY': str(overlay)}
+    return subprocess.Popen(words, cwd=cwd, env=env, text=True,
                             stdout=(cwd / 'out').open('w'), stderr=subprocess.STDOUT,
                             start_new_session=True, preexec_fn=_hear_ctrl_c)
 

@@ -3,26 +3,33 @@
 import json
 
 import pytest
-from rclpy.serialization import serialize_message
+from rclpy.serialization import deserialize_message, serialize_message
 from rosbags.highlevel import AnyReader
 from runs import rvd
 
 from rvd_campaign.bench import graph, line, Row
-from rvd_campaign.bench.bare import prebuilt, set_step
-from rvd_dynamics.mission import Mission
-from rvd_dynamics.diagram.ros.graph import NODES
+from rvd_campaign.bench.bare import set_step, step_of
+from rvd_dynamics.diagram.ros.host import message_type
+from rvd_dynamics.diagram.roster import listed
+from rvd_dynamics.diagram.scenario import load
 
-STEPPED = sorted({topic for spec in NODES.values() for topic in spec.emits})
+STEP_NS = 200_000_000
 
 
-@pytest.mark.parametrize('topic', STEPPED)
-def test_hollow_messages_are_as_long_as_ours(flight, topic):
-    message = prebuilt(topic, Mission())
-    set_step(message, 200, Mission().step_ns)
+def test_hollow_messages_are_as_long_as_ours_and_carry_their_step(flight):
+    roster = listed(load(flight.run / 'scenario.yaml'), headless=True)
+    kept = graph.sent(flight.run, roster)
+    assert set(kept) == {topic for name in roster.names for topic in roster.emits(name)}
     with AnyReader([flight.run / 'bag']) as reader:
-        connections = [c for c in reader.connections if c.topic == topic]
-        ours = [len(data) for _, _, data in reader.messages(connections=connections)]
-    assert -(-len(serialize_message(message)) // 4) * 4 == max(ours)     # DDS pads to words
+        for topic, content in kept.items():
+            connections = [c for c in reader.connections if c.topic == topic]
+            ours = [len(data) for _, _, data in reader.messages(connections=connections)]
+            message = deserialize_message(bytes.fromhex(content),
+                                          message_type(roster.topics[topic]))
+            set_step(message, 200, STEP_NS)
+            assert -(-len(serialize_message(message)) // 4) * 4 == max(ours)    # DDS pads to words
+            if topic != '/clock':
+                assert step_of(message, STEP_NS) == 200
 
 
 def test_cost_is_counted_between_two_steps_in_flight(monkeypatch):
@@ -71,6 +78,11 @@ def test_real_and_hollow_graph_fly_with_the_same_nodes(monkeypatch):
     assert ours['steps'] >= 128 and hollow['steps'] >= 112
     assert all(cost > 0.0 for cost in (*ours['by_node'].values(), *hollow['by_node'].values()))
     assert 0.2 < result['cpu_ratio'] < 3.0
+    for processes, count in (('segments', 5), ('one', 1)):
+        flown, = result[processes]
+        assert len(flown['by_node']) == count and flown['steps'] >= 64
+        assert result['times_blocks'][processes] == pytest.approx(
+            flown['steps_per_s'] / ours['steps_per_s'], abs=0.01)
 
 
 @pytest.mark.slow

@@ -19,11 +19,14 @@ from zlib import crc32
 import numpy as np
 import pyarrow.parquet
 import pytest
+from console_page import chromium, Console, FLAGS, open_page, playwright, until
 from runs import counts, messages, ROOT, verdict_of
 
 from rvd_dynamics.diagram import in_process, mission, scenario, streams
+from rvd_dynamics.diagram.build import made
 from rvd_dynamics.diagram.control import Change
 from rvd_dynamics.diagram.display import as_data
+from rvd_dynamics.diagram.roster import listed
 from rvd_groundstation.console.provider import display_of
 
 SOURCE = ROOT / 'tests' / 'stranger' / 'one_axis'
@@ -151,11 +154,23 @@ def test_its_chance_is_keyed_by_the_name_of_the_purpose(one_axis):
     np.testing.assert_array_equal(start[0], [-10.0, 0.0] + np.array([0.5, 0.02])*expected)
 
 
-def test_its_display_is_a_box_that_the_console_takes(one_axis):
-    display = display_of(one_axis).display
+def test_its_display_is_data(one_axis):
+    display = made(one_axis.mission.display, one_axis.part, 'display')
+    provider = display_of(one_axis)             # what the console makes of it
+    assert provider.display == display
+    assert (provider.facts.forward_s, provider.facts.back_s) == (0.6, 0.4)
+    assert not provider.facts.acknowledged      # its sensor does not read what the guard says
     assert [solid.size_m for body in display.bodies for solid in body.shape] == [(1.0, 0.6, 0.6)]
-    assert set(display.parts()) == {'/ground/telemetry', '/ground/command'}
+    assert set(display.parts()) <= set(one_axis.diagram.signals)
     json.dumps(as_data(display))
+
+
+def test_the_console_joins_it_as_a_watcher_only(one_axis):
+    assert 'console' not in listed(one_axis, headless=True).names
+    roster = listed(one_axis, headless=True, console=True)
+    assert roster.names[:len(roster.blocks)] == tuple(roster.blocks) and 'console' in roster.names
+    assert roster.writes('console') == frozenset()
+    assert not [topic for topic in roster.reads('console') if not topic.startswith('/run/')]
 
 
 # -- prefixes that cannot be loaded --------------------------------------------------------------
@@ -331,6 +346,47 @@ def test_its_report_without_the_package_says_why_there_is_no_figure(stranger, fl
 
 
 @pytest.mark.slow
+def test_the_console_shows_it(stranger):
+    playwright_entry, browser_path = playwright(), chromium()
+    console = Console(stranger.place, str(stranger.scenario), '--pace', '5', '--out',
+                      str(stranger.place / 'watched'), overlay=stranger.install)
+    try:
+        with playwright_entry() as play:
+            browser = play.chromium.launch(executable_path=browser_path, args=FLAGS)
+            page = open_page(browser, console)
+            words = page.inner_text('#instruments')
+            assert 'position' in words and 'speed' in words         # before the first run
+            page.keyboard.press('t')
+            until(page, "rvd.store.status.lease === 'you'")
+            page.keyboard.press('n')
+            page.click('#new-start')
+            until(page, 'Boolean(rvd.store.measured)')
+            page.wait_for_timeout(1000)
+            assert page.evaluate("rvd.scene.covers('craft')") > 20
+            assert page.evaluate("rvd.scene.covers('track')") > 20
+            assert page.evaluate('rvd.store.measured.parts.state.length') == 2
+            assert not page.evaluate("JSON.stringify(rvd.store.frame).includes('truth')")
+            for panel in ('camera', 'cut', 'strips', 'modes', 'views'):
+                assert not page.is_visible(f'#{panel}'), panel
+            until(page, "document.querySelector('#verdict-words') !== null")
+            assert 'At rest at the berth' in page.inner_text('#verdict-words')
+            assert 'farthest beyond the berth' in page.inner_text('#dialog')
+            told = page.evaluate('[...rvd.store.ladder.values()].map((rung) => rung.state)')
+            assert set(told) <= {0, 1, 6} and 6 in told             # sent, due; else unknown
+            until(page, "rvd.store.status.phase === 'ended'")
+            page.keyboard.press('Escape')
+            page.keyboard.press('l')
+            until(page, "document.querySelector('[data-run]') !== null")
+            page.click('[data-run="watched"]')
+            until(page, "document.querySelector('#dialog').open === false")
+            until(page, "rvd.scene.covers('craft') > 20")
+            assert page.problems == []
+            browser.close()
+    finally:
+        console.close()
+
+
+@pytest.mark.slow
 def test_its_campaign_has_its_measures_as_columns(stranger):
     folder = stranger.place / 'campaign'
     done = stranger.rvd('campaign', stranger.package / 'campaigns' / 'gains.yaml', '--runs', 40,
@@ -359,14 +415,14 @@ BROKEN = {
     'a second writer of thrust': (
         'one_axis/diagram.py', "writes={'command': command, 'uplink': UPLINK}",
         "writes={'command': command, 'uplink': UPLINK, 'thrust': THRUST}",
-        'block onboard_guard writes /onboard/thruster_command as thrust, which controller.thrust writes'),
+        'block onboard_guard writes /onboard/thruster_command, which controller writes too'),
     'a thrust without an initial value': (
         'one_axis/signals.py', ', initial=0.0', '',
         'block onboard_guard writes /onboard/thruster_command, whose command has no initial value'),
     'a wrong shape': (
         'one_axis/space.py', 'DOWNLINK(state=truth.state + self._sigma*self._noise[..., k, :])',
         'DOWNLINK(state=truth.state[..., :1])',
-        'block sensor writes /onboard/downlink at step 0: state must have shape (2,), got (1,)'),
+        'block sensor writes /onboard/downlink: state must have shape (2,), got (1,)'),
     'a command that is NaN': (
         'one_axis/ground.py', 'command = self._form.quantise(wanted)', 'command = wanted',
         'block controller writes /ground/command at step 0: a command must be finite, got [nan]'),

@@ -171,8 +171,8 @@ def _add_bench(commands: argparse._SubParsersAction) -> None:
 
 
 def _fly(args: argparse.Namespace) -> int:
-    from rvd_campaign.flight import fly
-    return fly.main(args)
+    from rvd_campaign.flight import command
+    return command.main(args)
 
 
 def _report(args: argparse.Namespace) -> int:

@@ -8,8 +8,10 @@ from hypothesis import given, settings, strategies as st
 from hypothesis.stateful import initialize, invariant, rule, RuleBasedStateMachine
 import numpy as np
 import pytest
+from rvd_dynamics.commands.codes import KIND_ABORT, KIND_THRUST
 from rvd_dynamics.link.channel import Channel, damaged, LinkCounts
 from rvd_dynamics.link.frame import Downlink, pack_command, pack_downlink, unpack_downlink
+from rvd_dynamics.link.leg import sources
 from rvd_dynamics.link.models import Constant, Gamma, LinkParams
 from rvd_dynamics.link.plan import draw_plan, LinkPlan
 from rvd_dynamics.link.play_out import Frame
@@ -141,6 +143,26 @@ def test_the_gate_accepts_exactly_what_the_plan_calls_intact_in_time(params, for
         known = 401 - hold
         assert np.array_equal(accepted[:known], plan.intact_in_time[:known])
         assert not accepted[known:].any()
+
+
+@pytest.mark.parametrize('abort_step', [0, 1, 60, 200, 395])
+@pytest.mark.parametrize('hold', [0, 1, 10])
+def test_with_an_abort_the_gate_accepts_exactly_what_the_leg_calls_received(abort_step, hold):
+    """Expedited frames skip the buffer: twice, overtaken and damaged ones among them."""
+    plans = [draw(WILD, seed, hold=hold) for seed in range(15)]
+    expected = sources(plans, hold, STEP_NS, abort_step)
+    for row, plan in zip(expected, plans):
+        channel, gate = Channel(plan, hold, STEP_NS), Gate(LevelForm(), hold * STEP_NS, STEP_NS)
+        for k in range(401):
+            aborting = k >= abort_step
+            out = channel.advance(k, frame(k, pack_command(
+                k + 1, k * STEP_NS, (0, 0, 0), KIND_ABORT if aborting else KIND_THRUST), aborting))
+            passed = gate.advance(k, None if out is None else out.payload)
+            assert passed.received == (row[k] >= 0)
+            assert passed.sequence == row[k] + 1
+    until = min(abort_step, 401)
+    assert (expected[:, :until] == np.where(expected[:, :until] >= 0, np.arange(until) - hold,
+                                            -1)).all()
 
 
 def test_the_ground_reads_exactly_the_telemetry_that_is_intact_in_time():

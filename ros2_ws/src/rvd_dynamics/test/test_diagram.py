@@ -33,6 +33,11 @@ def diagram(*blocks, plant='plant', guard='guard', thrust=THRUST.name, base=(PLA
     return Diagram((*base, *blocks), plant, guard, thrust, **more)
 
 
+def leg(name, reads, writes):
+    """Return a leg of no use."""
+    return Leg(name, f'{HERE}:Counter', LINK, reads=reads, writes=writes)
+
+
 ONE = block('one', reads={'b': last(B)}, writes={'a': A})
 OTHER = block('other', reads={'a': now(A)}, writes={'b': B})
 
@@ -49,7 +54,14 @@ def test_a_diagram_that_breaks_no_rule():
 BAD = {
     'two writers': (
         lambda: diagram(ONE, OTHER, block('third', reads={'a': now(A)}, writes={'x': A})),
-        'block third writes /a, which one writes too: a signal has one writer'),
+        'block third writes /a as x, which one.a writes too: a signal has one writer'),
+    'one writer, twice': (
+        lambda: diagram(replace(ONE, writes={'a': A, 'x': A}), OTHER),
+        'block one writes /a as x, which one.a writes too: a signal has one writer'),
+    'a writer from outside': (
+        lambda: diagram(ONE, OTHER, externals=(External('desk', 'p', 'e', GROUND,
+                                                        writes=('/a',)),)),
+        'block one writes /a as a, which desk writes too: a signal has one writer'),
     'nobody writes': (
         lambda: diagram(OTHER),
         'block other reads /a as a, which nobody writes: a signal has one writer'),
@@ -71,8 +83,11 @@ BAD = {
         'block one of segment onboard reads /truth: truth is for the world and the watchers '
         'alone'),
     'truth on the link': (
-        lambda: diagram(block('one', LINK, reads={'sky': last(TRUTH)}, writes={'a': A})),
+        lambda: diagram(leg('one', {'sky': last(TRUTH)}, {'a': A})),
         'block one of segment link reads /truth: truth is for the world and the watchers alone'),
+    'truth to the desk': (
+        lambda: diagram(externals=(External('desk', 'p', 'e', GROUND, reads=('/truth',)),)),
+        'desk of segment ground reads /truth: truth is for the world and the watchers alone'),
     'truth from a watcher': (
         lambda: diagram(block('one', WATCH, reads={'t': now(TRUTH)}, writes={'sky': SKY})),
         'block one of segment watch writes /truth/sky: truth is written by the world'),
@@ -96,6 +111,13 @@ BAD = {
         lambda: diagram(ONE, OTHER, block('third', WORLD, reads={'a': now(A)})),
         'block third of segment world reads /a of segment ground: only a leg of the link joins '
         'them'),
+    'the desk reads the craft': (
+        lambda: diagram(externals=(External('desk', 'p', 'e', GROUND, reads=('/thrust',)),)),
+        'desk of segment ground reads /thrust of segment onboard: only a leg of the link joins '
+        'them'),
+    'a link that is no leg': (
+        lambda: diagram(block('wire', LINK, reads={'s': now(toys.SENSED)}, writes={'a': A})),
+        'block wire of segment link is no leg: only a leg of the link joins craft and ground'),
     'thrust by another': (
         lambda: diagram(replace(GUARD, writes={'thrust': B}),
                         block('one', ONBOARD, reads={'s': now(toys.SENSED)},
@@ -108,6 +130,15 @@ BAD = {
         lambda: diagram(replace(ONE, period=4), OTHER),
         'block other (period 1) reads /a of one (period 4) without delay: what a slower block '
         'writes is read at least one step later'),
+    'two purposes of one checksum': (
+        lambda: diagram(with_chance('x', Normals('toy/x/plumless', 1)),
+                        with_chance('y', Normals('toy/x/buckeroo', 1))),
+        'block y draws noise from toy/x/buckeroo, which has the stream of toy/x/plumless of block '
+        'x: give it another name'),
+    'a purpose that is none': (
+        lambda: diagram(with_chance('x', Normals('noise', 1))),
+        'block x draws noise: purpose must be one of start, measurement, execution, link_forward, '
+        "link_back, pilot, pilot_skill, or of the form mission/block/purpose, got 'noise'"),
     'no final': (
         lambda: diagram(plant='sensor'),
         'block sensor is the plant, but no signal of it has a part final: the plant says when a '
@@ -158,9 +189,18 @@ def test_what_comes_from_outside_may_be_read_and_joins_no_cycle():
     assert diagram(OTHER, externals=(console,)).readers_of('/a') == [OTHER]
 
 
+def test_what_is_held_comes_first_unless_it_waits_for_its_reader():
+    """In a graph the newest one counts, in one process that of the same step where it can."""
+    ear = block('ear', reads={'b': held(B), 's': now(A)})
+    order = [b.name for b in diagram(ear, ONE, OTHER).order]
+    assert order.index('other') < order.index('ear')
+    reader = replace(ONE, reads={'b': held(B), 'x': last(B)})
+    order = [b.name for b in diagram(OTHER, reader).order]
+    assert order.index('one') < order.index('other')
+
+
 def test_a_leg_joins_craft_and_ground():
-    down = Leg('down', f'{HERE}:Counter', LINK, reads={'content': now(toys.SENSED)},
-               writes={'a': A})
+    down = leg('down', {'content': now(toys.SENSED)}, {'a': A})
     d = diagram(down, OTHER)
     assert list(d.legs()) == [down]
 
@@ -327,8 +367,8 @@ def test_a_value_may_leave_out_batch_axes_that_are_equal_in_all_rows():
 
 
 @pytest.mark.parametrize('make, said', [
-    ('toys:Missing', 'module toys has no Missing'),
-    ('toys.Counter', "'toys.Counter' must be of the form module:NAME"),
+    ('toys:Missing', 'block odd: module toys has no Missing'),
+    ('toys.Counter', "block odd: 'toys.Counter' must be of the form module:NAME"),
     ('toys:Chance', "block odd: toys:Chance needs 'noise', which neither the scenario nor the "
                     'mission has')])
 def test_a_block_that_cannot_be_made_is_refused_in_one_line(make, said):

@@ -122,7 +122,7 @@ def test_a_choice_is_one_of_its_table():
 
 def test_wiring_is_not_a_parameter():
     assert 'name' not in dict(leaves(Plant))
-    assert build(Plant, {'low_m': 0.5}, name='main').name == 'main'
+    assert build(Plant, {'low_m': 0.5}).name == Plant().name
 
 
 def test_settings_survive_the_way_through_a_file():

@@ -15,7 +15,7 @@ from rclpy.executors import SingleThreadedExecutor
 import yaml
 
 from rvd_dynamics.diagram.ros import markers, qos
-from rvd_dynamics.diagram.ros.conversions import state_to_msg
+from rvd_dynamics.diagram.ros.conversions import header_at, vector
 from rvd_dynamics.diagram.roster import Roster
 from rvd_dynamics.diagram.scenario import parse
 from rvd_interfaces.msg import RelativeState
@@ -86,8 +86,12 @@ def test_foxglove_shows_topics_and_fields_that_are_published():
 # -- what is drawn -----------------------------------------------------------------------------
 
 def state(covariance=None) -> RelativeState:
-    return state_to_msg(3, 1_500_000_000, 'target_lvlh', RelativeState.SOURCE_PREDICTION,
-                        np.array([-20.0, 0.5, -0.25, 0.25, 0.01, 0.0]), covariance=covariance)
+    unknown = np.full((6, 6), np.nan)
+    return RelativeState(
+        header=header_at(1_500_000_000, 'target_lvlh'), step=3, valid=True,
+        source=RelativeState.SOURCE_PREDICTION, position=vector([-20.0, 0.5, -0.25]),
+        velocity=vector([0.25, 0.01, 0.0]),
+        covariance=(unknown if covariance is None else covariance).reshape(36))
 
 
 def test_body_stands_where_the_message_says_with_its_ellipsoid():

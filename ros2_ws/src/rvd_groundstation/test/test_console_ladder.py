@@ -74,6 +74,17 @@ def test_an_abort_overtakes_what_is_on_the_way():
     assert STATES[now[6].state] == 'REFUSED' and now[6].refusal == REASON_ABORT
 
 
+def test_telemetry_that_acknowledges_nothing_leaves_every_fate_unknown():
+    ladder = Ladder(FORWARD, STEP_S)
+    for k in range(20):
+        if k >= BACK:
+            ladder.heard(k, k - BACK, None, 0)
+        ladder.sent(k, k + 1, (1, 0, 0), KIND_THRUST)
+        ladder.tick(k)
+    assert set(states(ladder).values()) == {'SENT', 'DUE', 'UNKNOWN'}
+    assert ladder.round_trip_steps is None
+
+
 def test_changes_come_once_and_a_late_page_gets_all():
     ladder = flown(12)
     version = ladder.version

@@ -55,6 +55,7 @@ def test_the_mission_names_its_display():
     assert isinstance(LUNAR, LunarDisplay)
     assert (FACTS.forward_s, FACTS.back_s, FACTS.mode, FACTS.operator) == (
         5.0, 5.0, 'shared', 'console')
+    assert FACTS.acknowledged
 
 
 def test_the_console_hears_no_topic_that_carries_the_truth():

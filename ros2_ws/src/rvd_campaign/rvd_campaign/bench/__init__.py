@@ -69,14 +69,18 @@ def _graph(quick: bool) -> dict:
 
 
 def _graph_rows(r: dict) -> list[Row]:
-    from rvd_campaign.bench.graph import cost, MAX_CPU_RATIO, MIN_STEPS_PER_S
+    from rvd_campaign.bench.graph import cost, MAX_CPU_RATIO, MIN_SPEED, MIN_STEPS_PER_S
     rows = [Row('CPU per step, of a hollow rclpy graph', f'{r["cpu_ratio"]:.2f}',
                 f'<= {MAX_CPU_RATIO}', r['cpu_ratio'] <= MAX_CPU_RATIO),
             Row('steps per second', f'{r["steps_per_s"]:.0f}', f'>= {MIN_STEPS_PER_S:g}',
                 r['steps_per_s'] >= MIN_STEPS_PER_S),
             Row('  that the cores have CPU time for', f'{r["steps_per_s_possible"]:.0f}'),
-            Row('times real time', f'{r["steps_per_s"] * r["step_s"]:.1f}')]
-    for name, flights in (('ours', r['ours']), ('hollow', r['bare'])):
+            Row('times real time', f'{r["steps_per_s"] * r["step_s"]:.1f}'),
+            *(Row(f'processes {name}: steps per second, of blocks', f'{times:.1f}',
+                  f'>= {MIN_SPEED[name]:g}', times >= MIN_SPEED[name])
+              for name, times in r['times_blocks'].items())]
+    for name, flights in (('blocks', r['ours']), ('hollow', r['bare']),
+                          *((name, r[name]) for name in MIN_SPEED)):
         rows += [Row(f'  {name} {i + 1}: {f["steps"]} steps at {f["steps_per_s"]:.0f}/s',
                      f'{cost(f) / 1000:.2f} ms/step') for i, f in enumerate(flights)]
     ours, hollow = r['ours'][-1]['by_node'], r['bare'][-1]['by_node']

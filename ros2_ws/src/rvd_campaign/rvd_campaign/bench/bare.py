@@ -1,96 +1,95 @@
 """
 What rclpy alone costs: a node with the endpoints of one of ours and nothing behind them.
 
-    python -m rvd_campaign.bench.bare NAME SCENARIO STEPS NODE[,NODE...]
+    python -m rvd_campaign.bench.bare NAME SCENARIO STEPS MESSAGES
 
-It publishes prebuilt messages of the same types and sizes, on the topics of the graph's table
-with the same qualities of service, fires when the inputs of a step are here, takes raw bytes
-where ours does, and computes and stores nothing. Plain rclpy in the cheapest set-up there is: no
-parameters, no parameter services, no /rosout, no QoS event callbacks. What our nodes publish at a
-rate of wall time only (verdict, pictures, diagnostics) it leaves out.
+It publishes messages that one of ours has sent (MESSAGES: topic to hex, as JSON), on the topics
+of the run's roster with the same qualities of service, fires when the inputs of a step are here,
+takes raw bytes where ours does, and computes and stores nothing. Plain rclpy in the cheapest
+set-up there is: no parameters, no parameter services, no /rosout, no QoS event callbacks. What our
+nodes publish at a rate of wall time only (verdict, pictures, diagnostics) it leaves out.
 """
 
-import sys
+import json
 from pathlib import Path
+import sys
+from typing import Any
 
 import rclpy
 from rclpy.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.parameter import Parameter
+from rclpy.serialization import deserialize_message
 from rclpy.task import Future
 from std_msgs.msg import String, UInt64
 
-from rvd_campaign.scenario import load
-from rvd_campaign.flight.watch import message_type
 from rvd_dynamics.constants import NS_PER_S
-from rvd_dynamics.link.frame import COMMAND_BYTES, DOWNLINK_BYTES
-from rvd_dynamics.mission import Mission
-from rvd_dynamics.diagram.ros import graph, qos
+from rvd_dynamics.diagram.block import Read
+from rvd_dynamics.diagram.ros import qos
+from rvd_dynamics.diagram.ros.conversions import ns_of
+from rvd_dynamics.diagram.ros.host import message_type
+from rvd_dynamics.diagram.roster import COMMON, listed, MARKERS, RECORDER, Roster
+from rvd_dynamics.diagram.scenario import load
 
 BARRIER_PERIOD_S = 0.02         # [s] wall time between two looks at the endpoints
 REPORT_EVERY = 16               # [steps] between two /run/recorded_step, as our recorder
-AS_BYTES = ('bag_recorder', 'markers')     # nodes of ours that do not decode
-FRAMES_DOWN = ('/onboard/downlink', '/ground/telemetry')
+AS_BYTES = (RECORDER, MARKERS)  # nodes of ours that do not decode
 
 
 class BareNode(Node):
-    """One node of the table, hollow."""
+    """One node of a run, hollow."""
 
-    def __init__(self, name: str, mission: Mission, steps: int, names: list[str]) -> None:
+    def __init__(self, name: str, roster: Roster, steps: int, messages: dict[str, Any]) -> None:
         super().__init__(name, enable_rosout=False, start_parameter_services=False,
                          parameter_overrides=[
                              Parameter('start_type_description_service', value=False)])
         self.done: Future = Future()
-        self._mission, self._steps, self._names = mission, steps, names
-        self._spec = graph.spec_of(name, mission.operator, mission.joy_input)
-        self._next, self._held = 0, {}
-        self._waiting_for = set(names) if '/run/ready' in self._spec.watches else set()
-        topics = {*self._spec.publishes, *graph.COMMON}
-        self._writers = {topic: self._writer(topic) for topic in topics}
-        self._messages = {topic: prebuilt(topic, mission) for topic in self._spec.emits}
-        self._readers = {topic: self._reader(topic) for topic in self._spec.reads}
+        self._roster, self._steps, self._step_ns = roster, steps, roster.scenario.run.step_ns
+        block = roster.blocks.get(name)
+        self._period = block.period if block else 1
+        self._needs = [read for read in block.reads.values() if not read.held] if block else []
+        self._next = 0
+        self._seen = dict.fromkeys((read.signal.name for read in self._needs), -1)
+        self._is_plant = name == roster.diagram.plant
+        self._waiting_for = set(roster.names) if self._is_plant else set()
+        self._writers = {topic: self._writer(topic) for topic in (*roster.writes(name), *COMMON)}
+        self._messages = {topic: messages[topic] for topic in roster.emits(name)}
+        self._readers = {topic: self._reader(topic) for topic in roster.reads(name)}
         self._barrier = self.create_timer(BARRIER_PERIOD_S, self._check_barrier)
 
     # -- endpoints ------------------------------------------------------------------------
 
-    def _writer(self, topic: str):
+    def _writer(self, topic: str) -> Any:
         return self.create_publisher(
-            message_type(graph.TOPICS[topic]), topic, qos.of(topic, self._mission.joy_input),
+            message_type(self._roster.topics[topic]), topic, qos.of(topic),
             event_callbacks=PublisherEventCallbacks(use_default_callbacks=False))
 
-    def _reader(self, topic: str):
+    def _reader(self, topic: str) -> Any:
         return self.create_subscription(
-            message_type(graph.TOPICS[topic]), topic, self._callback(topic),
-            qos.of(topic, self._mission.joy_input), raw=self.get_name() in AS_BYTES,
+            message_type(self._roster.topics[topic]), topic, self._callback(topic),
+            qos.of(topic), raw=self.get_name() in AS_BYTES,
             event_callbacks=SubscriptionEventCallbacks(use_default_callbacks=False))
 
-    def _callback(self, topic: str):
+    def _callback(self, topic: str) -> Any:
         if topic == '/run/end':
             return lambda message: self.done.set_result(None)
-        if topic == '/run/ready' and self._waiting_for:
+        if topic == '/run/ready' and self._is_plant:
             return self._on_ready
-        if self._spec.everything:
-            return self._count if topic == '/truth/relative_state' else ignore
-        lag = dict(self._spec.fires_on).get(topic)
-        if lag is None:
-            return ignore
-        if topic == '/joy':
-            step_ns = self._mission.step_ns
-            return lambda m: self._receive(
-                (m.header.stamp.sec * NS_PER_S + m.header.stamp.nanosec) // step_ns + lag)
-        return lambda m: self._receive(m.step + lag)
+        if self.get_name() == RECORDER:
+            return self._count if topic == self._roster.diagram.truth.name else ignore
+        if topic in self._seen:
+            return lambda message: self._receive(topic, step_of(message, self._step_ns))
+        return ignore
 
     def _check_barrier(self) -> None:
-        def expected(topic: str) -> tuple[int, int]:
-            return graph.expected(topic, self._names, self._mission.operator,
-                                  self._mission.joy_input)
         for topic, writer in self._writers.items():
-            if (topic not in graph.COMMON
-                    and writer.get_subscription_count() < expected(topic)[1]):
+            if (topic not in COMMON
+                    and writer.get_subscription_count() < self._roster.expected(topic)[1]):
                 return
         for topic, reader in self._readers.items():
-            if topic not in graph.COMMON and reader.get_publisher_count() < expected(topic)[0]:
+            if (topic not in COMMON
+                    and reader.get_publisher_count() < self._roster.expected(topic)[0]):
                 return
         self.destroy_timer(self._barrier)
         self._writers['/run/ready'].publish(String(data=self.get_name()))
@@ -103,24 +102,25 @@ class BareNode(Node):
             if not self._waiting_for:
                 self._fire()
 
-    def _receive(self, step: int) -> None:
-        self._held[step] = self._held.get(step, 0) + 1
-        while self._held.get(self._next, 0) >= sum(
-                self._next >= lag for _, lag in self._spec.fires_on):
+    def _receive(self, topic: str, step: int) -> None:
+        self._seen[topic] = step
+        while all(self._seen[read.signal.name] >= self._needed(read) for read in self._needs):
             self._fire()
+
+    def _needed(self, read: Read) -> int:
+        return max(self._roster.needed(read, self._next), -1)
 
     def _fire(self) -> None:
         step = self._next
-        self._held.pop(step, None)
-        self._next = step + 1
+        self._next = step + self._period
         if step >= self._steps:
-            if '/run/end' in self._writers:
+            if self._is_plant:
                 self._writers['/run/end'].publish(UInt64(data=step))
                 self._writers['/run/end'].wait_for_all_acked()
                 self.done.set_result(None)
             return
         for topic, message in self._messages.items():
-            set_step(message, step, self._mission.step_ns)
+            set_step(message, step, self._step_ns)
             self._writers[topic].publish(message)
 
     def _count(self, data: bytes) -> None:
@@ -129,23 +129,16 @@ class BareNode(Node):
         self._next += 1
 
 
-def ignore(message) -> None:
+def ignore(message: Any) -> None:
     """Take a message and do nothing."""
 
 
-def prebuilt(topic: str, mission: Mission):
-    """Return a message for `topic` as large as ours."""
-    message = message_type(graph.TOPICS[topic])()
-    if hasattr(message, 'header'):
-        message.header.frame_id = 'joy' if topic == '/joy' else mission.frame_id
-    if hasattr(message, 'payload'):
-        message.payload = bytes(DOWNLINK_BYTES if topic in FRAMES_DOWN else COMMAND_BYTES)
-    if hasattr(message, 'axes'):
-        message.axes, message.buttons = [0.0] * 5, [0] * 5
-    return message
+def step_of(message: Any, step_ns: int) -> int:
+    """Return the step of a message; Joy carries it in its stamp."""
+    return message.step if hasattr(message, 'step') else ns_of(message.header.stamp) // step_ns
 
 
-def set_step(message, step: int, step_ns: int) -> None:
+def set_step(message: Any, step: int, step_ns: int) -> None:
     """Say in the message which step it belongs to, in its own way."""
     if hasattr(message, 'step'):
         message.step = step
@@ -156,9 +149,14 @@ def set_step(message, step: int, step_ns: int) -> None:
 
 def main() -> None:
     """Run one hollow node to the end of the run."""
-    name, scenario, steps, names = sys.argv[1:5]
+    name, scenario, steps, messages = sys.argv[1:5]
     rclpy.init()
-    node = BareNode(name, load(Path(scenario)).mission, int(steps), names.split(','))
+    roster = listed(load(Path(scenario)), headless=False)
+    kept = json.loads(Path(messages).read_text(encoding='utf-8'))
+    node = BareNode(name, roster, int(steps), {
+        topic: deserialize_message(bytes.fromhex(kept[topic]),
+                                   message_type(roster.topics[topic]))
+        for topic in roster.emits(name)})
     executor = SingleThreadedExecutor()
     executor.add_node(node)
     try:

@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from rvd_campaign import catalogue
-from rvd_campaign.cli import CannotRun
+from rvd_campaign.exits import CannotRun
 from rvd_campaign.flight.domain import reserved_domain
 
 WATCHERS = 50

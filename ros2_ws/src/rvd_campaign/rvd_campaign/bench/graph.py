@@ -1,19 +1,22 @@
 """
 The graph in lock step against a hollow rclpy graph of the same shape, turn about.
 
-Both are followed by `/run/recorded_step`, which the recorder (hollow or not) publishes every 16
+With `processes: blocks`, which is what the hollow one copies; and the same run with `segments` and
+with `one`. All are followed by `/run/recorded_step`, which the recorder (hollow or not) publishes every 16
 steps. At each the CPU time of every node process is noted; the figures are differences between a
 note in flight and the last one, so that start-up and end do not count.
 """
 
+from dataclasses import dataclass, field
+import json
 import os
+from pathlib import Path
+from statistics import median
 import subprocess
 import sys
 import tempfile
 import time
-from dataclasses import dataclass, field
-from pathlib import Path
-from statistics import median
+from typing import Any, Callable
 
 from rclpy.context import Context
 from rclpy.executors import SingleThreadedExecutor
@@ -24,14 +27,17 @@ from std_msgs.msg import UInt64
 from rvd_campaign import catalogue
 from rvd_campaign.bench.processes import cpu_s
 from rvd_campaign.flight.domain import reserved_domain
-from rvd_campaign.scenario import load, Scenario
 from rvd_campaign.flight.supervisor import Supervisor
 from rvd_dynamics.diagram.ros import qos
+from rvd_dynamics.diagram.roster import listed, Roster
+from rvd_dynamics.diagram.scenario import load, Scenario
+from rvd_dynamics.recording.messages import files_of, MessageFile
 
 SCENARIO = 'hand'               # ten steps a second
 WARM_UP_STEPS = 96              # [steps] in flight before the measurement begins
 MAX_CPU_RATIO = 1.5
 MIN_STEPS_PER_S = 120.0         # 12 times real time at ten steps a second
+MIN_SPEED = {'segments': 2.0, 'one': 8.0}       # steps per second, times those of `blocks`
 PATIENCE_S = 120.0              # [s] wall time for one flight, start included
 
 
@@ -87,7 +93,7 @@ class Observer:
             UInt64, '/run/recorded_step', lambda m: self._steps.append(m.data),
             qos.of('/run/recorded_step'))
 
-    def follow(self, ended, pids) -> Meter:
+    def follow(self, ended: Callable[[], bool], pids: Callable[[], dict[str, int]]) -> Meter:
         """
         Note every step that is reported until `ended()`; `pids()` are the nodes by name.
 
@@ -113,11 +119,11 @@ class Observer:
         self._context.try_shutdown()
 
 
-def fly_ours(scenario: Path, folder: Path, domain: int) -> tuple[Meter, list[str]]:
-    """Fly the scenario with the real graph; return the notes and the names of its nodes."""
+def fly_ours(scenario: Path, folder: Path, domain: int) -> Meter:
+    """Fly the scenario with the real graph; return the notes."""
     (folder / 'logs').mkdir(parents=True)
     supervisor = Supervisor(catalogue.root() / 'scripts' / 'bringup.sh', scenario, folder,
-                            headless=False, domain=domain)
+                            False, domain, listed(load(scenario), headless=False))
     observer = Observer(domain)
 
     def pids() -> dict[str, int]:
@@ -131,15 +137,26 @@ def fly_ours(scenario: Path, folder: Path, domain: int) -> tuple[Meter, list[str
         observer.close()
     for name, code in supervisor.failures().items():
         raise ValueError(f'{name} ended with code {code}: {supervisor.last_words(name)}')
-    return meter, list(supervisor.pids)
+    return meter
 
 
-def fly_bare(scenario: Path, steps: int, names: list[str], domain: int) -> Meter:
+def sent(folder: Path, roster: Roster) -> dict[str, str]:
+    """Return, as hex, the longest message that the bag of a run has of each stepped topic."""
+    wanted = {topic for name in roster.names for topic in roster.emits(name)}
+    longest: dict[str, bytes] = {}
+    for file in files_of(folder):
+        for stored in MessageFile(file, wanted):
+            if len(stored.data) > len(longest.get(stored.topic, b'')):
+                longest[stored.topic] = stored.data
+    return {topic: data.hex() for topic, data in longest.items()}
+
+
+def fly_bare(scenario: Path, steps: int, roster: Roster, messages: Path, domain: int) -> Meter:
     """Run the hollow graph of the same nodes for as many steps."""
     environment = {**os.environ, 'ROS_DOMAIN_ID': str(domain)}
     processes = {name: subprocess.Popen(
         [sys.executable, '-m', 'rvd_campaign.bench.bare', name, str(scenario), str(steps),
-         ','.join(names)], env=environment, stdin=subprocess.DEVNULL) for name in names}
+         str(messages)], env=environment, stdin=subprocess.DEVNULL) for name in roster.names}
     observer = Observer(domain)
     try:
         return observer.follow(lambda: any(p.poll() is not None for p in processes.values()),
@@ -154,30 +171,45 @@ def fly_bare(scenario: Path, steps: int, names: list[str], domain: int) -> Meter
                 process.wait()
 
 
-def measure(repeats: int = 2, name: str = SCENARIO) -> dict:
+def measure(repeats: int = 2, name: str = SCENARIO) -> dict[str, Any]:
     """
-    Fly the real and the hollow graph turn about, `repeats` times each; return the figures.
+    Fly the real graph, the hollow one, and the real one in fewer processes, turn about.
 
     Raises
     ------
     ValueError
         If a flight does not come to its end.
     """
+    base = lockstep(load(catalogue.find('scenarios', name, ('.yaml',))))
+    roster = listed(base, headless=False)
     ours, bare = [], []
+    fewer: dict[str, list[dict]] = {processes: [] for processes in MIN_SPEED}
     with tempfile.TemporaryDirectory(prefix='rvd-bench-') as top, reserved_domain() as domain:
-        path = Path(top) / 'scenario.yaml'
-        scenario = lockstep(load(catalogue.find('scenarios', name, ('.yaml',))))
-        path.write_text(scenario.dump(), encoding='utf-8')
+        paths = {}
+        for processes in ('blocks', *fewer):
+            paths[processes] = Path(top) / f'{processes}.yaml'
+            paths[processes].write_text(base.with_values('/**', processes=processes).dump(),
+                                        encoding='utf-8')
+        messages = Path(top) / 'messages.json'
         for repeat in range(repeats):
-            meter, names = fly_ours(path, Path(top) / f'run{repeat}', domain)
+            folder = Path(top) / f'run{repeat}'
+            meter = fly_ours(paths['blocks'], folder, domain)
+            messages.write_text(json.dumps(sent(folder, roster)), encoding='utf-8')
             ours.append(meter.result())
-            bare.append(fly_bare(path, meter.steps[-1], names, domain).result())
-    return {'scenario': name, 'nodes': names, 'ours': ours, 'bare': bare,
+            bare.append(fly_bare(paths['blocks'], meter.steps[-1], roster, messages,
+                                 domain).result())
+            for processes, flown in fewer.items():
+                flown.append(fly_ours(paths[processes], folder / processes, domain).result())
+    speed = median(o['steps_per_s'] for o in ours)
+    return {'scenario': name, 'nodes': list(roster.names), 'ours': ours, 'bare': bare, **fewer,
             'cpu_ratio': median(cost(o) / cost(b) for o, b in zip(ours, bare)),
-            'steps_per_s': median(o['steps_per_s'] for o in ours),
+            'steps_per_s': speed,
             'steps_per_s_possible':
                 1e6 * len(os.sched_getaffinity(0)) / median(cost(o) for o in ours),
-            'step_s': scenario.mission.step_s}
+            'times_blocks': {
+                processes: round(median(f['steps_per_s'] for f in flown) / speed, 2)
+                for processes, flown in fewer.items()},
+            'step_s': base.run.step_s}
 
 
 def cost(result: dict) -> float:

@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 
 from rvd_campaign.campaign import stats
 from rvd_campaign.campaign.results import Table
-from rvd_campaign.campaign.spec import Campaign, Condition
 from rvd_dynamics.diagram.build import loaded
 from rvd_dynamics.diagram.mission import Mission
 from rvd_dynamics.recording.drawing import (
@@ -31,7 +30,7 @@ Drawn = tuple[Figure, str]
 class Results:
     """What figures are drawn from."""
 
-    campaign: Campaign
+    campaign: Any               # spec.Campaign, which asks here for the names of figures
     summary: dict[str, Any]
     tables: dict[str, Table]
 
@@ -41,7 +40,7 @@ class Results:
         return {c['name']: c for c in self.summary['conditions']}
 
     @property
-    def shown(self) -> tuple[Condition, ...]:
+    def shown(self) -> tuple[Any, ...]:
         """The conditions of a figure with one panel each."""
         return self.campaign.conditions[:PANELS]
 
@@ -181,13 +180,13 @@ def figures_of(mission: Mission) -> dict[str, CampaignFigure]:
         raise ValueError(f'mission {mission.name}: campaign figures: {error}') from None
 
 
-def shown_by(campaign: Campaign) -> dict[str, CampaignFigure]:
+def shown_by(campaign: Any) -> dict[str, CampaignFigure]:
     """Return the figures that a campaign asks for, by name."""
     known = figures_of(campaign.mission)
     return {name: known[name] for name in campaign.figures or ('success',)}
 
 
-def needed(campaign: Campaign) -> list[str]:
+def needed(campaign: Any) -> list[str]:
     """Return the columns of the result table from which a campaign's figures are drawn."""
     return list(dict.fromkeys((*ALWAYS, *(column for figure in shown_by(campaign).values()
                                           for column in figure.columns))))

@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import Any
 
 from rvd_campaign.flight import fly
-from rvd_campaign.cli import CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_INTERRUPTED
+from rvd_campaign.exits import CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_INTERRUPTED
 from rvd_campaign.flight.domain import reserved_domain
 from rvd_dynamics.diagram.display import as_data
 from rvd_dynamics.diagram.scenario import Scenario

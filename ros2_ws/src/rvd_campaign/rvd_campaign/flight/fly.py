@@ -1,12 +1,11 @@
 """
-`./rvd fly`: bring the graph up, follow one approach, say how it went, leave a run folder.
+Fly one approach by the graph: bring it up, follow it, say how it went, leave a run folder.
 """
 
 import argparse
 import importlib
 import re
 import shutil
-import signal
 import sys
 import threading
 import time
@@ -16,7 +15,6 @@ from typing import Any, Callable
 from rvd_campaign import catalogue
 from rvd_campaign.flight import verdict
 from rvd_dynamics.recording import reader
-from rvd_campaign.flight.domain import reserved_domain
 from rvd_campaign.exits import (
     CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_FAILED, EXIT_INTERRUPTED)
 from rvd_dynamics.diagram.roster import listed
@@ -27,33 +25,6 @@ START_S = 60.0                  # [s] wall time for the graph to come up
 END_S = 15.0                    # [s] wall time for the nodes to end after the verdict
 STALL_S = 10.0                  # [s] wall time without a step before the run is given up
 SHOW_S = 0.2                    # [s] wall time between two looks
-
-
-def main(args: argparse.Namespace) -> int:
-    """Fly one approach as the command line asks; return the exit code."""
-    again = None
-    if args.pace is None:                       # a person flies in real time
-        args.pace = 'realtime' if args.operator in ('console', 'joy') else '10'
-    if args.campaign is not None:
-        from rvd_campaign.campaign import again
-        if args.in_process:
-            return again.in_process(args)
-    elif args.condition or args.run_number is not None or args.in_process:
-        raise CannotRun('--condition, --run and --in-process go with --from DIR')
-    scenario = again.chosen(args) if again else chosen(args)
-    scenario.diagram                            # refused, if it must be, before there is a folder
-    if 'console' in (args.operator, operator_of(scenario)):
-        from rvd_campaign.flight import console
-        return console.main(args, scenario)
-    run_dir = new_folder(args.out, scenario.name)
-    (run_dir / 'scenario.yaml').write_text(scenario.dump(), encoding='utf-8')
-    signal.signal(signal.SIGTERM, lambda *_: signal.raise_signal(signal.SIGINT))
-    with reserved_domain() as domain:
-        print(f'{introduced(scenario)}, ROS_DOMAIN_ID={domain}, {run_dir}', flush=True)
-        code = Flight(scenario, run_dir, domain, args.headless).fly()
-    if again and code in (EXIT_DONE, EXIT_FAILED):
-        print(again.compared(args, verdict.read(run_dir / 'verdict.json')), flush=True)
-    return code
 
 
 def chosen(args: argparse.Namespace) -> Scenario:

@@ -212,6 +212,7 @@ class Loop:
         self._plan = [self._planned(block) for block in self._diagram.order]
         self._delayed = [slot for slot in self._slots.values() if slot.depth]
         self.judge = judge_of(scenario, self._batch)
+        self._plant = self._diagram.by_name[self._diagram.plant]
         self._truth = self._slots[self._diagram.truth.name]
         self.ended = np.zeros(len(runs), dtype=bool)
         self.end_step = np.full(len(runs), -1, dtype=np.int64)
@@ -263,11 +264,12 @@ class Loop:
             for name, slot in outputs:
                 if name in made_now:
                     slot.value = made_now[name]
+            if block is self._plant:                # at once: the truth is still in the cache
+                self.judge.follow(step, self._truth.value)
         for slot in self._delayed:
             slot.before.append(slot.value)
         for name, kept in self._history.items():
             kept.append(self._slots[name].value)
-        self.judge.follow(step, self._truth.value)
         final = self._truth.value.final
         if np.count_nonzero(final):
             self.end_step[final & ~self.ended] = step

@@ -226,12 +226,12 @@ class Roster:
             due -= due % block.period
             if self.follows_clock(name) and seen(truth) < due:
                 continue
-            if all(seen(read.signal.name) >= self._needed(read, due)
+            if all(seen(read.signal.name) >= self.needed(read, due)
                    for read in block.reads.values() if not read.held):
                 owing.append(name)
         return owing
 
-    def _needed(self, read: Read, due: int) -> int:
+    def needed(self, read: Read, due: int) -> int:
         """Return the step of the writer whose output a block needs for its firing `due`."""
         writer = self.diagram.writer_of.get(read.signal.name)
         at = due - read.delay

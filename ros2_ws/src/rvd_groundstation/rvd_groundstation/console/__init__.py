@@ -1,5 +1,5 @@
 """
 The browser console without ROS: access, lease, feed, command ladder, session desk, review.
 
-The ROS side is `rvd_groundstation.nodes.console`; the page's sources are in `console_web`.
+The ROS side is `rvd_groundstation.console.node`; the page's sources are in `console_web`.
 """

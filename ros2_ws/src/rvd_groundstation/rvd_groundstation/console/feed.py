@@ -47,7 +47,8 @@ class Feed:
             sample = content.sample
             self.signal(self.display.measured, sample)
             self.ladder.heard(sample.step, content.generated_ns // self.facts.step_ns,
-                              content.accepted, content.refusal)
+                              content.accepted if self.facts.acknowledged else None,
+                              content.refusal)
         elif content.why != EMPTY or content.step > self.facts.back_steps:
             self._gap = {'k': content.step, 'why': content.why}    # before, nothing can have come
 

@@ -11,7 +11,7 @@ code. Nothing here looks at the link or the craft directly.
     SEEN       and telemetry of `EFFECT_S` later has come down too: the motion shows the effect
     REFUSED    telemetry says that it was not accepted, and the refusal code has just changed
     MISSED     it was not accepted: it did not arrive in time, or was refused like one before
-    UNKNOWN    the telemetry that could have told was lost
+    UNKNOWN    the telemetry that could have told was lost, or this craft's never tells
 
 A downlink generated in step g tells of commands that acted up to step g - 1.
 """
@@ -71,11 +71,15 @@ class Ladder:
             elif rung.state > DUE:
                 break
 
-    def heard(self, step: int, generated: int, accepted: int, refusal: int) -> None:
-        """Take in telemetry that came down in `step` and was generated in `generated`."""
+    def heard(self, step: int, generated: int, accepted: int | None, refusal: int) -> None:
+        """
+        Take in telemetry that came down in `step` and was generated in `generated`.
+
+        `accepted` is None where telemetry does not say which commands were accepted.
+        """
         tells = generated - 1
         effect = round(EFFECT_S / self.step_s)
-        abort = self._abort_in_force(accepted)
+        abort = None if accepted is None else self._abort_in_force(accepted)
         for rung in self.rungs:
             if abort is not None and rung.state in (SENT, DUE) and rung.sequence <= accepted:
                 rung.told = step                # an ABORT overtakes all that is on the way
@@ -92,9 +96,12 @@ class Ladder:
         first = next((r.sequence for r in self.rungs if r.kind == KIND_ABORT), None)
         return first if first is not None and accepted >= first else None
 
-    def _judge(self, rung: Rung, step: int, tells: int, accepted: int, refusal: int) -> None:
+    def _judge(self, rung: Rung, step: int, tells: int, accepted: int | None, refusal: int
+               ) -> None:
         rung.told = step
-        if accepted == rung.sequence and rung.due <= tells:
+        if accepted is None:
+            self._set(rung, UNKNOWN)
+        elif accepted == rung.sequence and rung.due <= tells:
             self._set(rung, EXECUTED)
             self.round_trip_steps = step - rung.step
         elif accepted < rung.sequence:

@@ -125,8 +125,9 @@ class ConsoleNode(RunNode):
             self.finish()
 
     def on_end(self, final_step: int) -> None:
-        """Stay for the verdict, which comes after the last step."""
-        if MONITOR not in self.roster.names:
+        """Stay for the verdict, which comes after the last step, if somebody judges the run."""
+        judged = self.subscriptions_of['/run/verdict'].get_publisher_count() > 0
+        if MONITOR not in self.roster.names and not judged:
             self.finish()
 
     # -- from the page (called on the event loop's thread) --------------------------------

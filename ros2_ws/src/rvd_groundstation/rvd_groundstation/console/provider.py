@@ -34,6 +34,7 @@ class RunFacts:
     operator: str = 'none'
     seed: int = 0
     pace: float = 1.0           # simulated seconds per second of wall time
+    acknowledged: bool = True   # telemetry says which commands were accepted
 
     @property
     def last_step(self) -> int:
@@ -104,7 +105,20 @@ def facts_of(scenario: Scenario) -> RunFacts:
     return RunFacts(
         run.step_ns, getattr(legs, 'forward', 0), getattr(legs, 'back', 0), run.timeout_s,
         getattr(operation, 'mode', 'auto'), getattr(operation, 'operator', 'none'), run.seed,
-        run.pace_factor)
+        run.pace_factor, acknowledges(scenario.diagram))
+
+
+def acknowledges(diagram: Diagram) -> bool:
+    """
+    Say whether what comes down can tell which commands were accepted.
+
+    The guard alone knows, so who writes the downlink must read what the guard writes.
+    """
+    senders = [diagram.writer_of.get(read.signal.name) for leg in diagram.legs()
+               for read in leg.reads.values()]
+    return any(diagram.thrust in {read.signal.name for read in sender.reads.values()}
+               for sender in senders if sender is not None and sender.segment != GROUND)
+
 
 
 def _part(scenario: Scenario, name: str) -> Any:

@@ -95,7 +95,8 @@ class Barrier:
             stick = np.zeros((*prediction.shape[:-1], 3), dtype=np.int8)
         outcome = self.outcome(prediction, stick)
         if not alone:
-            outcome = self._automatic[np.add(stick, HIGHEST), outcome + HIGHEST]
+            cell = LEVELS.size*np.add(stick, HIGHEST) + (outcome + HIGHEST)
+            outcome = self._automatic.ravel().take(cell.T).T    # as components lie in memory
         return self.form.effect(outcome)
 
     def outcome(self, prediction: ArrayLike, stick_levels: ArrayLike) -> Levels:

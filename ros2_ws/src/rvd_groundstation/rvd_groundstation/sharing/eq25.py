@@ -50,7 +50,8 @@ class Eq25:
         -------
         ndarray of int8, shape (..., 3)
         """
-        return self._table[7*np.add(pilot, 3) + np.add(auto, 3)]
+        # transposed there and back: in a batch the components come first in memory
+        return self._table.take((7*np.add(pilot, 3) + np.add(auto, 3)).T).T
 
     @cached_property
     def _table(self) -> NDArray[np.int8]:

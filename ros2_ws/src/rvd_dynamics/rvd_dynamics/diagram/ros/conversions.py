@@ -10,7 +10,7 @@ from std_msgs.msg import Header
 
 from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.diagram.judge import Judgement
-from rvd_interfaces.msg import LinkFrame, Measure, RelativeState, ThrustCommand, Verdict
+from rvd_interfaces.msg import Measure, RelativeState, Verdict
 
 NAN = float('nan')
 
@@ -36,39 +36,10 @@ def vector(values) -> Vector3:
     return Vector3(x=float(x), y=float(y), z=float(z))
 
 
-UNKNOWN = (NAN, NAN, NAN)
-NO_COVARIANCE = np.zeros(36)
-NO_COVARIANCE[0] = NAN
-
-
-def state_to_msg(step: int, stamp_ns: int, frame_id: str, source: int, state: NDArray,
-                 valid: bool = True, final: bool = False, acceleration=UNKNOWN,
-                 covariance: NDArray | None = None) -> RelativeState:
-    """Return a RelativeState; `state` (6,), `covariance` (6, 6) or None when not estimated."""
-    numbers = state.tolist()
-    return RelativeState(
-        header=header_at(stamp_ns, frame_id), step=step, source=source, valid=valid, final=final,
-        position=vector(numbers[:3]), velocity=vector(numbers[3:]),
-        acceleration=vector(acceleration),
-        covariance=NO_COVARIANCE if covariance is None else covariance.reshape(36))
-
-
 def state_from_msg(message: RelativeState) -> NDArray[np.float64]:
     """Return position and velocity as an array of shape (6,)."""
     p, v = message.position, message.velocity
     return np.array((p.x, p.y, p.z, v.x, v.y, v.z))
-
-
-def levels_of(message: ThrustCommand | None) -> NDArray[np.int8]:
-    """Return the levels (3,) of a command; a missing or invalid one counts as level 0."""
-    if message is None or not message.valid:
-        return np.zeros(3, dtype=np.int8)
-    return np.array(message.levels, dtype=np.int8)
-
-
-def empty_frame(step: int) -> LinkFrame:
-    """Return the frame that says that nothing was due."""
-    return LinkFrame(step=step, sent=-1, arrived=-1, released=-1, empty=True)
 
 
 def verdict_to_msg(header: Header, step: int, final: bool, judged: Judgement) -> Verdict:

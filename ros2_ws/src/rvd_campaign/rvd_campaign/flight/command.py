@@ -1,0 +1,37 @@
+"""
+`./rvd fly`: which way a run is flown: by the graph, for the browser, or again from a campaign.
+"""
+
+import argparse
+import signal
+
+from rvd_campaign.exits import CannotRun, EXIT_DONE, EXIT_FAILED
+from rvd_campaign.flight import fly, verdict
+from rvd_campaign.flight.domain import reserved_domain
+
+
+def main(args: argparse.Namespace) -> int:
+    """Fly one approach as the command line asks; return the exit code."""
+    again = None
+    if args.pace is None:                       # a person flies in real time
+        args.pace = 'realtime' if args.operator in ('console', 'joy') else '10'
+    if args.campaign is not None:
+        from rvd_campaign.campaign import again
+        if args.in_process:
+            return again.in_process(args)
+    elif args.condition or args.run_number is not None or args.in_process:
+        raise CannotRun('--condition, --run and --in-process go with --from DIR')
+    scenario = again.chosen(args) if again else fly.chosen(args)
+    scenario.diagram                            # refused, if it must be, before there is a folder
+    if 'console' in (args.operator, fly.operator_of(scenario)):
+        from rvd_campaign.flight import console
+        return console.main(args, scenario)
+    run_dir = fly.new_folder(args.out, scenario.name)
+    (run_dir / 'scenario.yaml').write_text(scenario.dump(), encoding='utf-8')
+    signal.signal(signal.SIGTERM, lambda *_: signal.raise_signal(signal.SIGINT))
+    with reserved_domain() as domain:
+        print(f'{fly.introduced(scenario)}, ROS_DOMAIN_ID={domain}, {run_dir}', flush=True)
+        code = fly.Flight(scenario, run_dir, domain, args.headless).fly()
+    if again and code in (EXIT_DONE, EXIT_FAILED):
+        print(again.compared(args, verdict.read(run_dir / 'verdict.json')), flush=True)
+    return code
