@@ -377,6 +377,31 @@ def test_a_block_that_cannot_be_made_is_refused_in_one_line(make, said):
     assert str(refusal.value) == said
 
 
+class Deaf:
+    """Takes nothing but the step."""
+
+    def step(self, k):
+        return {}
+
+
+class Curious(Deaf):
+    """Takes what its block does not read."""
+
+    def step(self, k, truth, wind, rain=0):
+        return {}
+
+
+@pytest.mark.parametrize('kind, said', [
+    (Deaf, 'block odd reads truth, which its step does not take'),
+    (Curious, 'block odd: step takes wind, which the block does not read')])
+def test_a_step_takes_what_its_block_reads(kind, said, monkeypatch):
+    monkeypatch.setattr(toys, kind.__name__, kind, raising=False)
+    with pytest.raises(DiagramError) as refusal:
+        toys.fly(Block('odd', f'{HERE}:{kind.__name__}', WATCH, reads={'truth': now(TRUTH)},
+                       executable=''))
+    assert str(refusal.value) == said
+
+
 # -- scenarios ----------------------------------------------------------------------------------
 
 def test_a_mission_that_is_not_installed_is_refused_with_those_that_are():

@@ -9,9 +9,10 @@ writer, a signal has its initial value.
 Control, which in a graph comes from `/run/control`, comes from a schedule here.
 """
 
+import inspect
 from collections import deque
-from collections.abc import Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -24,6 +25,7 @@ from rvd_dynamics.diagram.diagram import DiagramError
 from rvd_dynamics.diagram.scenario import Scenario
 from rvd_dynamics.diagram.signal import Signal
 
+CONTROL = 'control'             # argument of a step that is told of mode and abort
 COLUMNS = 'columns'             # the block that makes the mission's own columns of a table
 
 
@@ -178,14 +180,13 @@ def draws_key(scenario: Scenario, runs: Sequence[int]) -> tuple:
 
 # -- the loop --------------------------------------------------------------------------------
 
-@dataclass(slots=True)
 class _Slot:
-    """A signal under way: its newest value, and as many before as somebody reads."""
+    """A signal under way: a cell with its newest value, and as many before as somebody reads."""
 
-    signal: Any
-    depth: int = 0
-    value: Any = None
-    before: deque = field(default_factory=deque)
+    def __init__(self, signal: Signal, depth: int, batch: tuple) -> None:
+        self.signal = signal
+        self.now = [signal.initial(batch)]
+        self.before = deque(self.now*depth, maxlen=depth)
 
 
 class Loop:
@@ -198,22 +199,20 @@ class Loop:
         self._scenario, self._diagram = scenario, scenario.diagram
         self._record = _recorded(self._diagram, record)
         self._schedule = {change.step: change for change in schedule}
-        self._control = Control(*_mode_of(scenario))
+        self._control = [Control(*_mode_of(scenario))]
         self._aborts = min((c.step for c in schedule if c.abort), default=None)
-        self._slots = {name: _Slot(signal) for name, signal in self._diagram.signals.items()}
+        delays: dict[str, list[int]] = {}
         for block in self._diagram.blocks:
             for read in block.reads.values():
-                slot = self._slots[read.signal.name]
-                slot.depth = max(slot.depth, read.delay)
-        for slot in self._slots.values():
-            slot.value = slot.signal.initial(self._batch)
-            slot.before = deque([slot.value]*slot.depth, maxlen=slot.depth)
+                delays.setdefault(read.signal.name, []).append(read.delay)
+        self._slots = {name: _Slot(signal, max(delays.get(name, [0])), self._batch)
+                       for name, signal in self._diagram.signals.items()}
         self._blocks = {block.name: self._made(block, runs, draws) for block in self._diagram.order}
         self._plan = [self._planned(block) for block in self._diagram.order]
-        self._delayed = [slot for slot in self._slots.values() if slot.depth]
+        self._delayed = [slot for slot in self._slots.values() if slot.before.maxlen]
         self.judge = judge_of(scenario, self._batch)
         self._plant = self._diagram.by_name[self._diagram.plant]
-        self._truth = self._slots[self._diagram.truth.name]
+        self._truth = self._slots[self._diagram.truth.name].now
         self.ended = np.zeros(len(runs), dtype=bool)
         self.end_step = np.full(len(runs), -1, dtype=np.int64)
         self._history: dict[str, list] = {name: [] for name in self._record}
@@ -234,43 +233,61 @@ class Loop:
         return available
 
     def _planned(self, block: Block) -> tuple:
-        """Return what `advance` needs of a block: a step of all blocks takes 30 us this way."""
-        present = [(argument, self._slots[read.signal.name])
-                   for argument, read in block.reads.items() if not read.delay]
-        past = [(argument, self._slots[read.signal.name].before, -read.delay)
-                for argument, read in block.reads.items() if read.delay]
-        outputs = [(name, self._slots[signal.name]) for name, signal in block.writes.items()]
-        return block, self._blocks[block.name].step, block.period, present, past, outputs
+        """
+        Return what `advance` needs of a block.
+
+        Where each argument of `step` is found is settled here, as a container and an index: that
+        halves what a firing costs besides the block's own work.
+        """
+        fire, parameters = self._blocks[block.name].step, {}
+        for name, parameter in list(inspect.signature(fire).parameters.items())[1:]:
+            if parameter.kind is inspect.Parameter.VAR_KEYWORD:
+                fire, parameters = _by_name(fire, block), dict.fromkeys(_arguments(block))
+                break
+            parameters[name] = parameter
+        for name in _arguments(block):
+            if name not in parameters:
+                raise DiagramError(f'block {block.name} reads {name}, which its step does not take')
+        sources = [self._source(block, *item) for item in parameters.items()]
+        outputs = [(name, self._slots[signal.name].now) for name, signal in block.writes.items()]
+        return block, fire, block.period, sources, outputs
+
+    def _source(self, block: Block, name: str, parameter: inspect.Parameter | None
+                ) -> tuple[Any, int]:
+        """Return where an argument of a block's step is found."""
+        if name == CONTROL and block.control:
+            return self._control, 0
+        read = block.reads.get(name)
+        if read is not None:
+            slot = self._slots[read.signal.name]
+            return (slot.before, -read.delay) if read.delay else (slot.now, 0)
+        if parameter is None or parameter.default is inspect.Parameter.empty:
+            raise DiagramError(f'block {block.name}: step takes {name}, which the block does not '
+                               'read')
+        return [parameter.default], 0
 
     def advance(self, step: int) -> None:
         """Do everything that happens in one step."""
         change = self._schedule.get(step)
         if change is not None:
-            self._control = Control(change.mode or self._control.mode,
-                                    change.abort or self._control.abort)
-        for block, fire, period, present, past, outputs in self._plan:
+            before = self._control[0]
+            self._control[0] = Control(change.mode or before.mode, change.abort or before.abort)
+        for block, fire, period, sources, outputs in self._plan:
             if step % period:
                 continue
-            given = {}
-            for argument, slot in present:
-                given[argument] = slot.value
-            for argument, before, back in past:
-                given[argument] = before[back]
-            if block.control:
-                given['control'] = self._control
-            made_now = fire(step, **given)
+            made_now = fire(step, *[where[at] for where, at in sources])
             if step == 0:
                 self._check(block, made_now)
-            for name, slot in outputs:
+            for name, cell in outputs:
                 if name in made_now:
-                    slot.value = made_now[name]
+                    cell[0] = made_now[name]
             if block is self._plant:                # at once: the truth is still in the cache
-                self.judge.follow(step, self._truth.value)
+                self.judge.follow(step, self._truth[0])
         for slot in self._delayed:
-            slot.before.append(slot.value)
+            slot.before.append(slot.now[0])
         for name, kept in self._history.items():
-            kept.append(self._slots[name].value)
-        final = self._truth.value.final
+            kept.append(self._slots[name].now[0])
+        final = self._truth[0].final
         if np.count_nonzero(final):
             self.end_step[final & ~self.ended] = step
             self.ended |= final
@@ -299,6 +316,17 @@ class Loop:
             history = {name: _stacked(self._slots[name].signal, values, self.end_step, self._batch)
                        for name, values in self._history.items()}
         return Batch(self._runs, self.end_step, self.judge.verdict(), columns, history)
+
+
+def _arguments(block: Block) -> list[str]:
+    """Return what a block's step is given besides the number of the step."""
+    return [*block.reads, *([CONTROL] if block.control else [])]
+
+
+def _by_name(step: Callable, block: Block) -> Callable:
+    """Return a step that takes its arguments in the order of `_arguments`."""
+    names = _arguments(block)
+    return lambda k, *values: step(k, **dict(zip(names, values)))
 
 
 def _mode_of(scenario: Scenario) -> tuple[str]:

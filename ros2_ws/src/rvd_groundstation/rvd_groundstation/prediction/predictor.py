@@ -136,10 +136,11 @@ class Predictor:
         estimate = self._filter.estimate
         correction = cw.product(self._phi_loop, estimate - self._model[0])      # (7)
         predicted = self._model[-1] + correction                                # (8)
-        known = self._valid[..., None]
+        if not self._valid.all():
+            known = self._valid[..., None]
+            estimate, predicted = (np.where(known, s, np.nan) for s in (estimate, predicted))
         p, p_loop = self._covariances()
-        return Prediction(np.where(known, estimate, np.nan), p,
-                          np.where(known, predicted, np.nan), p_loop, self._valid)
+        return Prediction(estimate, p, predicted, p_loop, self._valid)
 
     def _covariances(self) -> tuple[Array | None, Array | None]:
         if not self._track:

@@ -90,7 +90,9 @@ def usable(levels: ArrayLike, valid: ArrayLike) -> tuple[NDArray[np.int8], NDArr
     if levels.dtype.kind == 'f':
         whole &= levels == np.rint(levels)
     good = whole[..., 0] & whole[..., 1] & whole[..., 2] & np.asarray(valid, dtype=bool)
-    return np.where(good[..., None], levels, 0).astype(np.int8, copy=False), good
+    if not good.all():
+        levels = np.where(good[..., None], levels, 0)
+    return levels.astype(np.int8, copy=False), good
 
 
 def _alone(levels: NDArray, valid: NDArray, by: np.uint8, reason_invalid: np.uint8) -> Decision:
@@ -101,13 +103,21 @@ def _alone(levels: NDArray, valid: NDArray, by: np.uint8, reason_invalid: np.uin
 
 def _shared(sharing: Sharing, pilot: NDArray, pilot_valid: NDArray, auto: NDArray,
             auto_valid: NDArray) -> Decision:
-    levels = np.where(pilot_valid[..., None], sharing.share(pilot, auto), auto)
-    by_both: NDArray | np.uint8 = BLEND
-    if isnan(sharing.pilot_weight):                     # a filter: did the pilot's levels pass?
+    levels, by, weight, reason = sharing.share(pilot, auto), BLEND, sharing.pilot_weight, NONE
+    if isnan(weight):                                   # a filter: did the pilot's levels pass?
         same = levels == pilot
-        by_both = np.where(same[..., 0] & same[..., 1] & same[..., 2], PILOT, AUTO)
-    decided_by = np.where(pilot_valid, by_both, np.where(auto_valid, AUTO, NOBODY))
-    weight = np.where(pilot_valid, sharing.pilot_weight, np.where(auto_valid, 0.0, np.nan))
-    reason = np.where(pilot_valid, np.where(auto_valid, NONE, AUTO_INVALID),
-                      np.where(auto_valid, PILOT_INVALID, BOTH_INVALID))
-    return Decision(levels, pilot_valid | auto_valid, decided_by, weight, reason)
+        by = np.where(same[..., 0] & same[..., 1] & same[..., 2], PILOT, AUTO)
+    if not (pilot_valid.all() and auto_valid.all()):
+        levels = np.where(pilot_valid[..., None], levels, auto)
+        by = np.where(pilot_valid, by, np.where(auto_valid, AUTO, NOBODY))
+        weight = np.where(pilot_valid, weight, np.where(auto_valid, 0.0, np.nan))
+        reason = np.where(pilot_valid, np.where(auto_valid, NONE, AUTO_INVALID),
+                          np.where(auto_valid, PILOT_INVALID, BOTH_INVALID))
+    valid = pilot_valid | auto_valid
+    return Decision(levels, valid, _full(by, np.uint8, valid), _full(weight, float, valid),
+                    _full(reason, np.uint8, valid))
+
+
+def _full(value: ArrayLike, dtype: type, like: NDArray) -> NDArray:
+    """Return a value for each row, or as it is if it has one for each."""
+    return value if np.ndim(value) else np.full(like.shape, value, dtype=dtype)

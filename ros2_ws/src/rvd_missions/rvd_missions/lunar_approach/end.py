@@ -15,6 +15,13 @@ def ended(step: int, state: ArrayLike, last_step: int) -> NDArray[np.bool_]:
     `Judge.ended` remembers, and also knows of a plane that was reached and left between samples.
     """
     state = np.asarray(state)
-    over = ~(state[..., 0] < 0.0) | (step >= last_step)
+    over = ~(state[..., 0] < 0.0)
+    if time_is_up(step, last_step):
+        over = np.ones_like(over)
     finite = np.isfinite(state)
     return over if finite.all() else over | ~finite.all(axis=-1)
+
+
+def time_is_up(step: int, last_step: int) -> bool:
+    """Say whether every run that is still under way ends with this step."""
+    return step >= last_step

@@ -18,7 +18,7 @@ from rvd_dynamics.diagram.run import Run
 from rvd_dynamics.geometry import arc
 from rvd_dynamics.geometry.cone import Cone
 from rvd_dynamics.geometry.excursion import Excursion
-from rvd_missions.lunar_approach.end import ended
+from rvd_missions.lunar_approach.end import ended, time_is_up
 from rvd_missions.lunar_approach.settings import DockingParams
 
 # Of several reasons the lowest number is given.
@@ -127,9 +127,8 @@ class Judge:
                out=self._delta_v, where=self._live)
         if docked.any():
             self._judge_docking(points, docked, flown)
-        late = self._live & ended(step, self._state.T, self._last_step)
-        if late.any():                          # every other end has been closed above
-            self._end(late, TIMEOUT, step)
+        if time_is_up(step, self._last_step):   # every other end has been closed above
+            self._end(self._live.copy(), TIMEOUT, step)
 
     def verdict(self, final: bool = False) -> Verdict:
         """Return the judgement so far; with `final` a run still under way has timed out."""
