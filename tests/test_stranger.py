@@ -415,14 +415,15 @@ BROKEN = {
     'a second writer of thrust': (
         'one_axis/diagram.py', "writes={'command': command, 'uplink': UPLINK}",
         "writes={'command': command, 'uplink': UPLINK, 'thrust': THRUST}",
-        'block onboard_guard writes /onboard/thruster_command, which controller writes too'),
+        'block onboard_guard writes /onboard/thruster_command as thrust, which controller.thrust '
+        'writes too'),
     'a thrust without an initial value': (
         'one_axis/signals.py', ', initial=0.0', '',
         'block onboard_guard writes /onboard/thruster_command, whose command has no initial value'),
     'a wrong shape': (
         'one_axis/space.py', 'DOWNLINK(state=truth.state + self._sigma*self._noise[..., k, :])',
         'DOWNLINK(state=truth.state[..., :1])',
-        'block sensor writes /onboard/downlink: state must have shape (2,), got (1,)'),
+        'block sensor writes /onboard/downlink at step 0: state must have shape (2,), got (1,)'),
     'a command that is NaN': (
         'one_axis/ground.py', 'command = self._form.quantise(wanted)', 'command = wanted',
         'block controller writes /ground/command at step 0: a command must be finite, got [nan]'),
