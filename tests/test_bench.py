@@ -5,10 +5,11 @@ import json
 import pytest
 from rclpy.serialization import deserialize_message, serialize_message
 from rosbags.highlevel import AnyReader
-from runs import rvd
+from runs import ROOT, rvd
 
-from rvd_campaign.bench import graph, line, Row
+from rvd_campaign.bench import against, graph, line, Row
 from rvd_campaign.bench.bare import set_step, step_of
+from rvd_campaign.bench.before import Checkout
 from rvd_dynamics.diagram.ros.host import message_type
 from rvd_dynamics.diagram.roster import listed
 from rvd_dynamics.diagram.scenario import load
@@ -68,16 +69,46 @@ def test_bench_leaves_its_figures_as_json(tmp_path):
     assert [text for text in lines if text.startswith('quick:')]
 
 
+def test_what_needs_another_checkout_says_so():
+    row = against('it', None, '<= 1', lambda ratio: ratio <= 1.0)
+    assert row.met is None and '--before DIR' in row.target
+    assert against('it', 0.9, '<= 1', lambda ratio: ratio <= 1.0) == ('it', '0.90', '<= 1', True)
+
+
+@pytest.mark.parametrize('folder', ['nowhere', '.'])
+def test_a_folder_without_a_set_up_checkout_is_refused_in_one_line(folder, tmp_path):
+    done = rvd('bench', 'campaign', '--before', folder, cwd=tmp_path)
+    assert done.returncode == 2 and done.stdout == ''
+    assert done.stderr.count('\n') == 1 and f'--before {folder} must be a checkout' in done.stderr
+
+
+def test_nothing_of_this_checkout_is_loaded_in_another(monkeypatch):
+    monkeypatch.setenv('PATH', f'{ROOT}/.rvd/venv/bin:/usr/bin')
+    monkeypatch.setenv('AMENT_PREFIX_PATH', str(ROOT))
+    environment = Checkout(ROOT).environment(ROS_DOMAIN_ID='7')
+    assert environment['PATH'] == '/usr/bin' and environment['ROS_DOMAIN_ID'] == '7'
+    assert not [name for name in environment if name.startswith(('RVD_', 'AMENT_', 'PYTHON'))]
+
+
+@pytest.mark.slow
+def test_the_rate_of_a_checkout_is_measured_in_its_own_environment():
+    assert 10.0 < Checkout(ROOT).rate_of_table(30) < 1e6
+
+
 @pytest.mark.slow
 def test_real_and_hollow_graph_fly_with_the_same_nodes(monkeypatch):
     monkeypatch.delenv('ROS_DOMAIN_ID', raising=False)
-    result = graph.measure(repeats=1, name='paper')
+    result = graph.measure(repeats=1, name='paper', before=Checkout(ROOT))
     ours, hollow = result['ours'][0], result['bare'][0]
     assert len(result['nodes']) == 12
     assert set(ours['by_node']) == set(hollow['by_node']) == set(result['nodes'])
     assert ours['steps'] >= 128 and hollow['steps'] >= 112
     assert all(cost > 0.0 for cost in (*ours['by_node'].values(), *hollow['by_node'].values()))
     assert 0.2 < result['cpu_ratio'] < 3.0
+    same, = result['before']                    # this checkout, started as any other
+    assert set(same['by_node']) == set(ours['by_node']) and same['steps'] >= 128
+    assert result['cpu_of_before'] == pytest.approx(
+        ours['cpu_us_per_step'] / same['cpu_us_per_step'], abs=0.001)
     for processes, count in (('segments', 5), ('one', 1)):
         flown, = result[processes]
         assert len(flown['by_node']) == count and flown['steps'] >= 64
@@ -89,7 +120,9 @@ def test_real_and_hollow_graph_fly_with_the_same_nodes(monkeypatch):
 def test_a_flight_is_timed_in_parts_that_add_up(tmp_path):
     done = rvd('bench', 'flight', '--quick', '--out', 'figures.json', cwd=tmp_path, timeout=300.0)
     assert done.returncode == 0, done.stderr
-    for timed in json.loads((tmp_path / 'figures.json').read_text())['flight']['flights']:
+    figures = json.loads((tmp_path / 'figures.json').read_text())['flight']
+    assert figures['one']['command'] == figures['command'] + ' --processes one'
+    for timed in (*figures['flights'], *figures['one']['flights']):
         parts = [timed[key] for key in ('start_up_s', 'flight_s', 'ending_s', 'report_s')]
         assert min(parts) > 0.0
         assert sum(parts) == pytest.approx(timed['wall_s'], abs=0.2)

@@ -166,6 +166,8 @@ def _add_bench(commands: argparse._SubParsersAction) -> None:
                        help='what to measure (default: all but the console, about four minutes; '
                             'the console needs Chromium)')
     bench.add_argument('--quick', action='store_true', help='one repetition each, small batches')
+    bench.add_argument('--before', metavar='DIR',
+                       help='graph and campaign: measure against this checkout, which is set up')
     bench.add_argument('--out', metavar='FILE', help='write the figures as JSON')
     bench.set_defaults(run=_bench)
 

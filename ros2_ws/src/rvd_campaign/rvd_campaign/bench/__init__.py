@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from rvd_campaign.bench import processes
+from rvd_campaign.bench.before import Checkout, HOW
 
 
 class Row(NamedTuple):
@@ -29,6 +30,7 @@ def main(args: argparse.Namespace) -> int:
     """Measure what is asked for, print the table, write the JSON; return the exit code."""
     # the console's needs a browser, so it is measured only when it is asked for
     names = [n for n in PARTS if n != 'console'] if args.part == 'all' else [args.part]
+    before = Checkout(Path(args.before)) if args.before else None
     content = {'machine': processes.machine(), 'time': time.strftime('%Y-%m-%dT%H:%M:%SZ',
                                                                      time.gmtime())}
     print(in_words(content['machine']), flush=True)
@@ -36,7 +38,7 @@ def main(args: argparse.Namespace) -> int:
         print('other work is going on: ratios hold, times do not', flush=True)
     for name in names:
         measure, rows = PARTS[name]
-        content[name] = measure(args.quick)
+        content[name] = measure(args.quick, before)
         print(f'\n{name}')
         for row in rows(content[name]):
             print(line(row._replace(met=None) if args.quick else row), flush=True)
@@ -57,21 +59,24 @@ def in_words(machine: dict) -> str:
 def line(row: Row) -> str:
     """Return a row as it is printed."""
     verdict = {True: 'met', False: 'NOT met', None: ''}[row.met]
-    return f'  {row.what:<44} {row.figure:>12}   {row.target:<16} {verdict}'.rstrip()
+    return f'  {row.what:<58} {row.figure:>12}   {row.target:<16} {verdict}'.rstrip()
 
 
 # -- the parts ----------------------------------------------------------------------------
 
 
-def _graph(quick: bool) -> dict:
+def _graph(quick: bool, before: Checkout | None) -> dict:
     from rvd_campaign.bench import graph
-    return graph.measure(repeats=1 if quick else 2)
+    return graph.measure(1 if quick else 2, before=before)
 
 
 def _graph_rows(r: dict) -> list[Row]:
-    from rvd_campaign.bench.graph import cost, MAX_CPU_RATIO, MIN_SPEED, MIN_STEPS_PER_S
+    from rvd_campaign.bench.graph import (
+        cost, MAX_CPU_OF_BEFORE, MAX_CPU_RATIO, MIN_SPEED, MIN_STEPS_PER_S)
     rows = [Row('CPU per step, of a hollow rclpy graph', f'{r["cpu_ratio"]:.2f}',
                 f'<= {MAX_CPU_RATIO}', r['cpu_ratio'] <= MAX_CPU_RATIO),
+            against('CPU per step, of the other checkout', r.get('cpu_of_before'),
+                    f'<= {MAX_CPU_OF_BEFORE}', lambda ratio: ratio <= MAX_CPU_OF_BEFORE),
             Row('steps per second', f'{r["steps_per_s"]:.0f}', f'>= {MIN_STEPS_PER_S:g}',
                 r['steps_per_s'] >= MIN_STEPS_PER_S),
             Row('  that the cores have CPU time for', f'{r["steps_per_s_possible"]:.0f}'),
@@ -80,6 +85,7 @@ def _graph_rows(r: dict) -> list[Row]:
                   f'>= {MIN_SPEED[name]:g}', times >= MIN_SPEED[name])
               for name, times in r['times_blocks'].items())]
     for name, flights in (('blocks', r['ours']), ('hollow', r['bare']),
+                          ('before', r.get('before', ())),
                           *((name, r[name]) for name in MIN_SPEED)):
         rows += [Row(f'  {name} {i + 1}: {f["steps"]} steps at {f["steps_per_s"]:.0f}/s',
                      f'{cost(f) / 1000:.2f} ms/step') for i, f in enumerate(flights)]
@@ -88,33 +94,38 @@ def _graph_rows(r: dict) -> list[Row]:
                    for name in sorted(ours, key=ours.get, reverse=True)]
 
 
-def _flight(quick: bool) -> dict:
+def _flight(quick: bool, _: Checkout | None) -> dict:
     from rvd_campaign.bench import flight
     return flight.measure(repeats=1 if quick else 3)
 
 
 def _flight_rows(r: dict) -> list[Row]:
-    from rvd_campaign.bench.flight import MAX_WALL_S, PARTS as parts
-    middle = sorted(r['flights'], key=lambda f: f['wall_s'])[len(r['flights']) // 2]
-    return [Row(f'{r["command"]}', f'{r["wall_s"]:.2f} s', f'< {MAX_WALL_S:g} s',
-                r['wall_s'] < MAX_WALL_S),
-            *(Row(f'  {words}', f'{middle[key]:.2f} s') for key, words in parts.items())]
+    from rvd_campaign.bench.flight import PARTS as parts
+    rows = []
+    for timed in (r, r['one']):
+        middle = sorted(timed['flights'], key=lambda f: f['wall_s'])[len(timed['flights']) // 2]
+        rows += [Row(timed['command'], f'{timed["wall_s"]:.2f} s', f'< {timed["limit_s"]:g} s',
+                     timed['wall_s'] < timed['limit_s']),
+                 *(Row(f'  {words}', f'{middle[key]:.2f} s') for key, words in parts.items())]
+    return rows
 
 
-def _loop(quick: bool) -> dict:
+def _loop(quick: bool, _: Checkout | None) -> dict:
     from rvd_campaign.bench import loop
     return loop.measure(batch=50 if quick else loop.BATCH)
 
 
 def _loop_rows(r: dict) -> list[Row]:
-    from rvd_campaign.bench.loop import MAX_ALONE_S
+    from rvd_campaign.bench.loop import MAX_ALONE_S, MAX_SCENARIO_MS
     return [Row(f'one run of {r["steps"]} steps in process', f'{r["alone_s"]:.3f} s',
                 f'< {MAX_ALONE_S:g} s', r['alone_s'] < MAX_ALONE_S),
             Row('  the first one, imports of the filter included', f'{r["first_s"]:.2f} s'),
-            Row(f'  a run in a batch of {r["batch"]}', f'{r["batch_ms_per_run"]:.2f} ms')]
+            Row(f'  a run in a batch of {r["batch"]}', f'{r["batch_ms_per_run"]:.2f} ms'),
+            Row('a scenario with one key changed', f'{r["scenario_ms"]:.3f} ms',
+                f'< {MAX_SCENARIO_MS:g} ms', r['scenario_ms'] < MAX_SCENARIO_MS)]
 
 
-def _console(quick: bool) -> dict:
+def _console(quick: bool, _: Checkout | None) -> dict:
     from rvd_campaign.bench import console
     return console.measure(quick)
 
@@ -125,15 +136,17 @@ def _console_rows(r: dict) -> list[Row]:
                 value < GOALS[name] if name in GOALS else None) for name, value in r.items()]
 
 
-def _campaign(quick: bool) -> dict:
+def _campaign(quick: bool, before: Checkout | None) -> dict:
     from rvd_campaign.bench import campaign
-    return campaign.measure(quick)
+    return campaign.measure(quick, before)
 
 
 def _campaign_rows(r: dict) -> list[Row]:
     from rvd_campaign.bench import campaign as c
     return [Row('runs per core-second, draws included', f'{r["runs_per_core_s"]}',
                 f'>= {c.MIN_RUNS_PER_CORE_S}', r['runs_per_core_s'] >= c.MIN_RUNS_PER_CORE_S),
+            against('  of table3, of the other checkout', r.get('rate_of_before'),
+                    f'>= {c.MIN_RATE_OF_BEFORE}', lambda ratio: ratio >= c.MIN_RATE_OF_BEFORE),
             Row('  one filterpy and one pilot object per run', f'{r["one_by_one_per_core_s"]}'),
             Row('  times that', f'{r["ratio"]:.0f}', f'>= {c.MIN_RATIO}',
                 r['ratio'] >= c.MIN_RATIO),
@@ -144,7 +157,15 @@ def _campaign_rows(r: dict) -> list[Row]:
                 r['table3_s'] < c.MAX_TABLE_S)]
 
 
-PARTS: dict[str, tuple[Callable[[bool], dict], Callable[[dict], list[Row]]]] = {
+def against(what: str, ratio: float | None, target: str, met: Callable[[float], bool]) -> Row:
+    """Return the row of a ratio to another checkout, or how to get it."""
+    if ratio is None:
+        return Row(what, '-', f'needs {HOW}')
+    return Row(what, f'{ratio:.2f}', target, met(ratio))
+
+
+Measure = Callable[[bool, Checkout | None], dict]
+PARTS: dict[str, tuple[Measure, Callable[[dict], list[Row]]]] = {
     'loop': (_loop, _loop_rows),
     'campaign': (_campaign, _campaign_rows),
     'graph': (_graph, _graph_rows),

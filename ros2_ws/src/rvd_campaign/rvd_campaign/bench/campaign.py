@@ -1,6 +1,6 @@
 """
 The campaign: runs per core-second, against one filterpy object and one pilot object per run,
-on two processes, and the paper's table.
+on two processes, the paper's table, and that of another checkout of the project.
 """
 
 import io
@@ -10,10 +10,12 @@ import sys
 import tempfile
 import time
 from pathlib import Path
+from statistics import median
 
 from rvd_campaign import catalogue
 from rvd_campaign.campaign import engine
 from rvd_campaign.campaign.progress import Progress
+from rvd_campaign.bench.before import Checkout
 from rvd_campaign.campaign.spec import Campaign, load_campaign
 from rvd_dynamics.diagram.in_process import fly
 from rvd_dynamics.diagram.scenario import load, Scenario
@@ -21,13 +23,15 @@ from rvd_dynamics.diagram.scenario import load, Scenario
 MIN_RUNS_PER_CORE_S = 3000
 MIN_RATIO = 50
 MAX_TABLE_S = 60.0
+MIN_RATE_OF_BEFORE = 0.97
 MIN_SPEED_UP = 1.8              # on two processes: near-linear
 BATCH = 3000                    # as a campaign flies them
 ONE_BY_ONE = 10                 # runs of the slow way that are timed
 TABLE_RUNS = 10_000
+PAIRS = 5                       # turns that this and another checkout take
 
 
-def measure(quick: bool = False) -> dict:
+def measure(quick: bool = False, before: Checkout | None = None) -> dict:
     """
     Fly a batch, the same work run by run, and `table3` with one and with two workers.
 
@@ -46,9 +50,19 @@ def measure(quick: bool = False) -> dict:
         _flying_s(load_campaign('table3', 200), Path(folder) / 'warm', 2)   # starts processes
         flown = load_campaign('table3', table)
         one, two = (_flying_s(flown, Path(folder) / str(count), count) for count in (1, 2))
-    return {'runs_per_core_s': round(rate), 'one_by_one_per_core_s': round(slow, 2),
+    compared = {} if before is None else _against(before, 1 if quick else PAIRS, table // 4)
+    return {**compared, 'runs_per_core_s': round(rate), 'one_by_one_per_core_s': round(slow, 2),
             'ratio': round(rate / slow, 1), 'speed_up_on_two': round(one / two, 2),
             'table_runs': table, 'table3_s': round(_campaign_s(table, 2), 1)}
+
+
+def _against(before: Checkout, pairs: int, runs: int) -> dict:
+    """Return runs of `table3` per second of CPU here and there, in turns, and their ratio."""
+    here, rates = Checkout(catalogue.root()), []
+    for _ in range(pairs):
+        rates.append([tree.rate_of_table(runs) for tree in (before, here)])
+    return {'rates': [{'before': round(b), 'now': round(n)} for b, n in rates],
+            'rate_of_before': round(median(now / then for then, now in rates), 3)}
 
 
 def _rate(scenario: Scenario, runs: range) -> float:

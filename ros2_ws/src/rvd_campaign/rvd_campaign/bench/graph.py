@@ -2,9 +2,10 @@
 The graph in lock step against a hollow rclpy graph of the same shape, turn about.
 
 With `processes: blocks`, which is what the hollow one copies; and the same run with `segments` and
-with `one`. All are followed by `/run/recorded_step`, which the recorder (hollow or not) publishes every 16
-steps. At each the CPU time of every node process is noted; the figures are differences between a
-note in flight and the last one, so that start-up and end do not count.
+with `one`, and by another checkout of the project where one is given. All are followed by
+`/run/recorded_step`, which the recorder (hollow or not) publishes every 16 steps. At each the CPU
+time of every node process is noted; the figures are differences between a note in flight and the
+last one, so that start-up and end do not count.
 """
 
 from dataclasses import dataclass, field
@@ -25,6 +26,7 @@ from rclpy.parameter import Parameter
 from std_msgs.msg import UInt64
 
 from rvd_campaign import catalogue
+from rvd_campaign.bench.before import BringUp, Checkout
 from rvd_campaign.bench.processes import cpu_s
 from rvd_campaign.flight.domain import reserved_domain
 from rvd_campaign.flight.supervisor import Supervisor
@@ -36,8 +38,10 @@ from rvd_dynamics.recording.messages import files_of, MessageFile
 SCENARIO = 'hand'               # ten steps a second
 WARM_UP_STEPS = 96              # [steps] in flight before the measurement begins
 MAX_CPU_RATIO = 1.5
+MAX_CPU_OF_BEFORE = 1.0
 MIN_STEPS_PER_S = 120.0         # 12 times real time at ten steps a second
 MIN_SPEED = {'segments': 2.0, 'one': 8.0}       # steps per second, times those of `blocks`
+LOCKSTEP = {'pace': 'lockstep', 'operator': 'model', 'joy_input': 'stepped'}
 PATIENCE_S = 120.0              # [s] wall time for one flight, start included
 
 
@@ -171,9 +175,23 @@ def fly_bare(scenario: Path, steps: int, roster: Roster, messages: Path, domain:
                 process.wait()
 
 
-def measure(repeats: int = 2, name: str = SCENARIO) -> dict[str, Any]:
+def fly_before(checkout: Checkout, scenario: Path, folder: Path, domain: int) -> Meter:
+    """Fly a scenario with another checkout's own bring-up; return the notes."""
+    flight = BringUp(checkout, scenario, folder, domain)
+    observer = Observer(domain)
+    try:
+        return observer.follow(flight.ended, flight.pids)
+    finally:
+        observer.close()
+        flight.stop()
+
+
+def measure(repeats: int = 2, name: str = SCENARIO, before: Checkout | None = None
+            ) -> dict[str, Any]:
     """
     Fly the real graph, the hollow one, and the real one in fewer processes, turn about.
+
+    With `before`, fly the same scenario with that checkout, too, in between.
 
     Raises
     ------
@@ -184,6 +202,7 @@ def measure(repeats: int = 2, name: str = SCENARIO) -> dict[str, Any]:
     roster = listed(base, headless=False)
     ours, bare = [], []
     fewer: dict[str, list[dict]] = {processes: [] for processes in MIN_SPEED}
+    others: list[dict] = []
     with tempfile.TemporaryDirectory(prefix='rvd-bench-') as top, reserved_domain() as domain:
         paths = {}
         for processes in ('blocks', *fewer):
@@ -191,6 +210,9 @@ def measure(repeats: int = 2, name: str = SCENARIO) -> dict[str, Any]:
             paths[processes].write_text(base.with_values('/**', processes=processes).dump(),
                                         encoding='utf-8')
         messages = Path(top) / 'messages.json'
+        if before is not None:
+            paths['before'] = Path(top) / 'before.yaml'
+            paths['before'].write_text(before.scenario(name, **LOCKSTEP), encoding='utf-8')
         for repeat in range(repeats):
             folder = Path(top) / f'run{repeat}'
             meter = fly_ours(paths['blocks'], folder, domain)
@@ -198,10 +220,17 @@ def measure(repeats: int = 2, name: str = SCENARIO) -> dict[str, Any]:
             ours.append(meter.result())
             bare.append(fly_bare(paths['blocks'], meter.steps[-1], roster, messages,
                                  domain).result())
+            if before is not None:
+                others.append(fly_before(before, paths['before'], folder / 'before',
+                                         domain).result())
             for processes, flown in fewer.items():
                 flown.append(fly_ours(paths[processes], folder / processes, domain).result())
     speed = median(o['steps_per_s'] for o in ours)
-    return {'scenario': name, 'nodes': list(roster.names), 'ours': ours, 'bare': bare, **fewer,
+    compared = {} if before is None else {
+        'before': others, 'cpu_of_before': round(median(
+            cost(o) / cost(b) for o, b in zip(ours, others)), 3)}
+    return {**compared, 'scenario': name, 'nodes': list(roster.names),
+            'ours': ours, 'bare': bare, **fewer,
             'cpu_ratio': median(cost(o) / cost(b) for o, b in zip(ours, bare)),
             'steps_per_s': speed,
             'steps_per_s_possible':
@@ -219,4 +248,4 @@ def cost(result: dict) -> float:
 
 def lockstep(scenario: Scenario) -> Scenario:
     """Return the scenario as fast as it goes, with the pilot that needs no hand."""
-    return scenario.with_values('/**', pace='lockstep', operator='model', joy_input='stepped')
+    return scenario.with_values('/**', **LOCKSTEP)
