@@ -474,3 +474,21 @@ def test_a_change_that_cannot_be_is_refused_in_one_line(section, values, said):
     with pytest.raises(ScenarioError) as refusal:
         toys.mission().with_values(section, **values)
     assert str(refusal.value).startswith(said) and '\n' not in str(refusal.value)
+
+
+class ByName:
+    """Takes what its block reads by name only, as a graph hands it over."""
+
+    seen: list = []
+
+    def step(self, k, *, truth):
+        self.seen.append((k, truth))
+        return {}
+
+
+def test_a_step_may_take_its_inputs_by_name_only(monkeypatch):
+    monkeypatch.setattr(toys, 'ByName', ByName, raising=False)
+    ByName.seen.clear()
+    toys.fly(Block('odd', f'{HERE}:ByName', WATCH, reads={'truth': now(TRUTH)}, executable=''))
+    assert [k for k, _ in ByName.seen] == list(range(len(ByName.seen))) and ByName.seen
+    assert all(isinstance(truth, TRUTH.type) for _, truth in ByName.seen)

@@ -241,7 +241,7 @@ class Loop:
         """
         fire, parameters = self._blocks[block.name].step, {}
         for name, parameter in list(inspect.signature(fire).parameters.items())[1:]:
-            if parameter.kind is inspect.Parameter.VAR_KEYWORD:
+            if parameter.kind in (inspect.Parameter.VAR_KEYWORD, inspect.Parameter.KEYWORD_ONLY):
                 fire, parameters = _by_name(fire, block), dict.fromkeys(_arguments(block))
                 break
             parameters[name] = parameter

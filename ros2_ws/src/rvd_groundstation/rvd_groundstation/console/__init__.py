@@ -1,5 +1,5 @@
 """
-The browser console without ROS: access, lease, feed, command ladder, session desk, review.
+The browser console: access, lease, feed, command ladder, session desk, review.
 
-The ROS side is `rvd_groundstation.console.node`; the page's sources are in `console_web`.
+`node`, `process` and `main` are its side to ROS; the page's sources are in `console_web`.
 """
