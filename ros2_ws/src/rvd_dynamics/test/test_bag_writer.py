@@ -314,6 +314,15 @@ class SmallDisk:
         return written
 
 
+class CuttingDisk(SmallDisk):
+    """Takes whole what fits; what does not is cut short, and taken back by the writer."""
+
+    def __call__(self, file: int, data: bytes) -> int:
+        if len(data) > self.room:
+            return self._write(file, data[:self.room])
+        return super().__call__(file, data)
+
+
 def test_full_disk_costs_what_is_worth_least_and_every_loss_is_counted(tmp_path, monkeypatch):
     """R1: whole records up to the limit, one complaint, commands go on when there is room."""
     bag = BagWriter(tmp_path / 'bag', worth=WORTH.get)
@@ -338,6 +347,33 @@ def test_full_disk_costs_what_is_worth_least_and_every_loss_is_counted(tmp_path,
              and hasattr(r, 'name')}
     assert {t: int(n) for t, n in notes['rvd_lost'].items()} == dict(bag.lost)
     assert notes['rvd_recording']['trouble'] == bag.trouble
+
+
+@pytest.mark.parametrize('room', [100, 2500, 5000, 5001, 1 << 30])
+def test_messages_stored_together_are_those_that_would_be_stored_one_by_one(
+        tmp_path, monkeypatch, room):
+    """On a disk that takes them all, or gives up within a batch; every loss is counted."""
+    found, lost = [], []
+    real = os.write
+    for name, together in (('one', 1), ('batches', 37)):
+        monkeypatch.setattr(mcap_file.os, 'write', real)
+        bag = BagWriter(tmp_path / name, worth=WORTH.get)
+        for topic, kind in TOPICS.items():
+            bag.add_topic(topic, kind, QOS)
+        messages = [(topic, data, log_ns, i, i)
+                    for i, (topic, data, log_ns) in enumerate(published(60))]
+        messages.insert(3, ('/nobody', b'x', 0, 0, 0))
+        monkeypatch.setattr(mcap_file.os, 'write', CuttingDisk(room))
+        for at in range(0, len(messages), together):
+            bag.write_all(messages[at:at + together])
+        monkeypatch.setattr(mcap_file.os, 'write', real)
+        bag.close()
+        found.append(stored(bag.path))
+        lost.append(dict(bag.lost))
+        assert bag.contents.count == len(found[-1])
+        assert len(found[-1]) + sum(bag.lost.values()) == len(messages)
+        assert bool(bag.trouble) == (room < 1 << 30)
+    assert found[0] == found[1] and lost[0] == lost[1]
 
 
 def test_a_disk_that_is_nearly_full_is_left_to_what_is_worth_it(tmp_path, monkeypatch):

@@ -1,8 +1,8 @@
 """
 An MCAP file while it grows, and its reordering into an indexed one when it is complete.
 
-While it grows each record is one `write` to the operating system and nothing waits in a buffer
-of ours, so that whatever ends the process, the file is a sequence of whole records. Such a file
+While it grows records go to the operating system whole and nothing waits in a buffer of ours, so
+that whatever ends the process, the file is a sequence of whole records. Such a file
 has no index; `rewrite` makes one with an index, in which readers can seek by time and topic.
 
 Source  MCAP specification, version 0.
@@ -12,7 +12,7 @@ import fcntl
 import os
 import struct
 from pathlib import Path
-from typing import Any, Iterator
+from typing import Any, Iterable, Iterator
 
 from mcap.data_stream import RecordBuilder
 from mcap.exceptions import EndOfFile
@@ -62,11 +62,17 @@ class GrowingFile:
         """Append records that belong together, all or none."""
         self._append(b''.join(map(_bytes_of, records)))
 
-    def append_message(self, channel: int, sequence: int, log_ns: int, publish_ns: int,
-                       data: bytes) -> None:
-        """Append one message without the library, for speed: every message comes this way."""
-        self._append(_MESSAGE.pack(5, _MESSAGE_HEAD + len(data), channel, sequence & 0xffffffff,
-                                   log_ns, publish_ns) + data)
+    def append_messages(self, messages: Iterable[tuple[int, int, int, int, bytes]]) -> None:
+        """
+        Append messages (channel, sequence, log time, publish time, data), all or none.
+
+        Without the library and in one write, for speed: every message comes this way.
+        """
+        pieces = []
+        for channel, sequence, log_ns, publish_ns, data in messages:
+            pieces += (_MESSAGE.pack(5, _MESSAGE_HEAD + len(data), channel,
+                                     sequence & 0xffffffff, log_ns, publish_ns), data)
+        self._append(b''.join(pieces))
 
     def finish(self) -> None:
         """Append the end of a file without an index."""

@@ -165,12 +165,14 @@ class Host:
         while moved and not self._ended:
             moved = False
             for node in self.firing:
-                while node.may_fire():
+                if node.may_fire():
                     node.fire()
                     moved = True
             if moved and len(self.firing) > 1 and time.monotonic() > until:
                 break
         self._busy = moved and not self._ended
+        for node in self.nodes.values():
+            node.settle()
 
     # -- end --------------------------------------------------------------------------------
 

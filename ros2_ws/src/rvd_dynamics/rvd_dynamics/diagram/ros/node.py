@@ -141,6 +141,9 @@ class RunNode(Node):
     def on_ready(self) -> None:
         """Be told that every endpoint of this process is matched."""
 
+    def settle(self) -> None:
+        """Be told that the process is about to wait for messages."""
+
     def on_end(self, final_step: int) -> None:
         """Be told which step is the last; a watcher may finish now or drain first."""
         self.finish()

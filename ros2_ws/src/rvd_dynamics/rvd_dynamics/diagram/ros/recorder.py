@@ -59,6 +59,7 @@ class BagRecorder(RunNode):
         self._truth = self.roster.diagram.truth.name
         self._ledger = StepLedger()
         self._early: list[tuple] | None = []    # kept until the scenario has gone first
+        self._pending: list[tuple] = []         # what has come since the last write
         self._heard = time.monotonic()          # a message that one of the nodes owed
         self._complete: float | None = None     # since when the last step is here
         self._judged_step = -1
@@ -97,8 +98,7 @@ class BagRecorder(RunNode):
         self._recorded.add(topic)
         store = self._writer_of(topic, kind)
         if topic not in COMMON and self.host.is_local(topic):
-            self.host.keep(topic, self.guarded(
-                lambda step, data: store(data, step, time.time_ns(), 0)))
+            self.host.keep(topic, self.guarded(store))
             return
         deep = QoSProfile(depth=qos.DEPTH, reliability=offered.reliability,
                           durability=offered.durability)
@@ -106,7 +106,7 @@ class BagRecorder(RunNode):
 
         def came(data: bytes, info: dict) -> None:
             step = self.step if read_step is None else read_step(data)
-            store(data, step, info['source_timestamp'], info['publication_sequence_number'] or 0)
+            store(step, data, info['source_timestamp'], info['publication_sequence_number'] or 0)
             if topic == self._truth:
                 self.rest(info)
         self.watch_raw(topic, message_type(kind), came, deep)
@@ -114,37 +114,50 @@ class BagRecorder(RunNode):
     def _writer_of(self, topic: str, kind: str) -> Callable:
         """Return what stores the messages of one topic."""
         stepped = step_reader(kind, self.run.step_ns) is not None
+        starts = stepped and topic not in COMMON
         owed, step_ns = topic in self._ledger.last, self.run.step_ns
+        paces, judges = topic == self._truth, topic == VERDICT
 
-        def store(data: bytes, step: int, sent_ns: int, sequence: int) -> None:
-            step = step if stepped else self.step
-            self.step = max(self.step, step)
-            self._store((topic, data, max(step, 0) * step_ns, sent_ns, sequence), stepped)
+        def store(step: int, data: bytes, sent_ns: int = 0, sequence: int = 0) -> None:
+            if not stepped:
+                step = self.step
+            elif step > self.step:
+                self.step = step
+            message = (topic, data, max(step, 0) * step_ns, sent_ns or time.time_ns(), sequence)
+            if self._early is None:
+                self._pending.append(message)
+            else:
+                self._begin_with(message, starts)
             if owed:
                 self._heard = time.monotonic()
                 self._ledger.saw(topic, step)
-            if topic == VERDICT:
+            if judges:
                 self._judged_step = step
-            if topic == self._truth and step % REPORT_EVERY == 0:
-                self.host.publish(self._steps, RECORDED_STEP, step, UInt64(data=step))
-                self._report()
+            if paces:
+                self.settle()
+                if step % REPORT_EVERY == 0:
+                    self.host.publish(self._steps, RECORDED_STEP, step, UInt64(data=step))
+                    self._report()
         return store
 
-    def _store(self, message: tuple, stepped: bool) -> None:
-        topic = message[0]
-        if self._early is None:
-            self._bag.write(*message)
-        elif topic == SCENARIO:
+    def _begin_with(self, message: tuple, starts: bool) -> None:
+        """Keep what came before the scenario; let that go first."""
+        if message[0] == SCENARIO:
             self._begin([message, *self._early])
-        elif stepped and topic not in COMMON:           # the run has begun without a scenario
+        elif starts:                                    # the run has begun without a scenario
             self._begin([*self._early, message])
         else:
             self._early.append(message)
 
     def _begin(self, messages: list[tuple]) -> None:
         self._early = None
-        for message in messages:
-            self._bag.write(*message)
+        self._pending += messages
+
+    def settle(self) -> None:
+        """Write what has come: once a step, and whenever the process is about to wait."""
+        if self._pending:
+            messages, self._pending = self._pending, []
+            self._bag.write_all(messages)
 
     def on_ready(self) -> None:
         """Take viewers' topics in from the beginning."""
@@ -199,6 +212,7 @@ class BagRecorder(RunNode):
             return
         if self._early:
             self._begin(self._early)
+        self.settle()
         if self.host.final_step is not None:
             self._ledger.end(self.host.final_step)
         missing = {topic: str(n) for topic, n in self._ledger.missing.items()}
