@@ -45,14 +45,13 @@ class BlockNode(FiringNode):
             return own[name] if name in own else self.scenario.part(name)
         self._compute = made(block.make, available, f'block {block.name}').step
 
-    def on_step(self, k: int) -> None:
+    def on_step(self, k: int, values: dict[str, Any]) -> None:
         """Compute and publish."""
-        given = {name: source.value(k) for name, source in self._inputs.items()}
         for name, source in self._held.items():
-            given[name] = source.value(k)
+            values[name] = source.value(k)
         if self.block.control:
-            given['control'] = self._control
-        outputs = self._compute(k, **given)
+            values['control'] = self._control
+        outputs = self._compute(k, **values)
         if k == 0 or self._commands:
             self._check(k, outputs)
         self.before_publishing(k, outputs)

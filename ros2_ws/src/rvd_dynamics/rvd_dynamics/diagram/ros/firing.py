@@ -34,6 +34,7 @@ class FiringNode(RunNode):
         self._next = 0
         self._gate = Gate()
         self._inputs: dict[str, Input] = {}
+        self._given: list[Input] = []           # the same, without their names
         self._held: dict[str, HeldInput] = {}
         self._last: Input | None = None         # the input that comes last
         self._gated = False
@@ -67,6 +68,7 @@ class FiringNode(RunNode):
             self._subscribe(name, read, self._gate if early else None)
             self._gated |= early
         self._last = self._inputs[remote[-1][1]] if remote else None
+        self._given = list(self._inputs.values())
         if self.roster.follows_clock(self.block.name):
             self._limit = -1
             self.listen('/clock', Clock, self._on_clock)
@@ -110,7 +112,7 @@ class FiringNode(RunNode):
     def _came(self, name: str, step: int, item: Any) -> None:
         """Take in what the writer of an input wrote in `step`."""
         given, period = self._inputs[name], self.block.period
-        if step < given.wanted(self._next):
+        if step < given.need:
             first = given.first_use(step, period)
             if first < self._next and given.wanted(first) == step:     # fired without it
                 self.late_count += 1
@@ -125,16 +127,18 @@ class FiringNode(RunNode):
             self._look_at_gate()
 
     def _look_at_gate(self) -> None:
-        self._gate.open = self._last.there(self._next)
+        self._gate.open = self._last.there()
 
     # -- firing -----------------------------------------------------------------------------
 
     def may_fire(self) -> bool:
         """Say whether every input of the next firing is here."""
-        k = self._next
-        return (not self.finished and k <= self._limit and bool(self._inputs)
-                and all(given.there(k) for given in self._inputs.values())
-                and not self._is_over())
+        if self.finished or self._next > self._limit or not self._inputs or self._is_over():
+            return False
+        for given in self._given:
+            if not given.there():
+                return False
+        return True
 
     def _is_over(self) -> bool:
         final = self.host.final_step
@@ -143,28 +147,33 @@ class FiringNode(RunNode):
     def fire(self) -> None:
         """Do everything that belongs to the next firing."""
         k = self._next
-        missing = sum(not given.there(k) for given in self._inputs.values())
-        if missing:
-            self.missing_count += missing
-            self.trouble['missing'] = f'{self.missing_count} inputs missing so far'
+        if self.realtime:
+            self._count_missing()
         self._next = k + self.block.period
         self.step = k
         try:
-            self.on_step(k)
+            values = {name: given.value() for name, given in self._inputs.items()}
+            for given in self._given:           # in real time a firing may lie within another
+                given.advance(self._next)
+            self.on_step(k, values)
         except Exception as error:              # noqa: B902 - named and handed on
-            if not hasattr(error, 'rvd_node'):  # in real time a firing may lie within another
+            if not hasattr(error, 'rvd_node'):
                 error.rvd_node = self
             raise
-        for given in self._inputs.values():
-            given.forget(self._next)
         if self._gated:
             self._look_at_gate()
         self.host.diagnose()
         if self._is_over():
             self.finish()
 
-    def on_step(self, k: int) -> None:
-        """Compute and publish; implemented by each kind of node."""
+    def _count_missing(self) -> None:
+        missing = sum(not given.there() for given in self._given)
+        if missing:
+            self.missing_count += missing
+            self.trouble['missing'] = f'{self.missing_count} inputs missing so far'
+
+    def on_step(self, k: int, values: dict[str, Any]) -> None:
+        """Compute and publish, from the values of the inputs; implemented by each kind of node."""
         raise NotImplementedError
 
     def on_end(self, final_step: int) -> None:

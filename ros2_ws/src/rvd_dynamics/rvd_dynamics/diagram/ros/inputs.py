@@ -30,13 +30,21 @@ class Gate(CallbackGroup):
 
 
 class Input:
-    """One input of a block: what has come, by the step of its writer."""
+    """
+    One input of a block: what has come, by the step of its writer.
+
+    Attributes
+    ----------
+    need : int
+        Step of the writer whose output the next firing gets; -1: before the start.
+    """
 
     def __init__(self, read: Read, period: int, codec: Any) -> None:
         self.delay, self.period, self.codec = read.delay, period, codec
         self.held: dict[int, Any] = {}          # message, or what passed by hand
         self.by_hand = False
         self.start = read.signal.initial(())
+        self.need = self.wanted(0)
 
     def wanted(self, k: int) -> int:
         """Return the step of the writer whose output firing k needs; -1: before the start."""
@@ -47,26 +55,27 @@ class Input:
         """Return the first firing of a block of this period that needs step `step` or later."""
         return -(-(step + self.delay) // period) * period
 
-    def there(self, k: int) -> bool:
-        """Say whether what firing k needs is here."""
-        wanted = self.wanted(k)
-        return wanted < 0 or wanted in self.held
+    def there(self) -> bool:
+        """Say whether what the next firing needs is here."""
+        return self.need < 0 or self.need in self.held
 
-    def value(self, k: int) -> Any:
-        """Return what firing k gets of this input."""
-        wanted = self.wanted(k)
-        if wanted < 0:
+    def value(self) -> Any:
+        """Return what the next firing gets of this input."""
+        if self.codec is None:                  # a leg takes the message as it is, or none
+            return self.held.get(self.need)
+        if self.need < 0:
             return self.start
-        item = self.held.get(wanted)
+        item = self.held.get(self.need)
         if item is None:
-            return self.codec.missing(wanted)
-        return item if self.by_hand else self.codec.decode(wanted, item)
+            return self.codec.missing(self.need)
+        return item if self.by_hand else self.codec.decode(self.need, item)
 
-    def forget(self, k: int) -> None:
-        """Drop what no firing from k on needs."""
-        least = self.wanted(k)
-        for step in [step for step in self.held if step < least]:
-            del self.held[step]
+    def advance(self, k: int) -> None:
+        """Turn to firing k, and drop what neither it nor a later one needs."""
+        need = self.wanted(k)
+        for step in range(max(self.need, 0), need):
+            self.held.pop(step, None)
+        self.need = need
 
 
 class HeldInput:

@@ -1,5 +1,7 @@
 """A leg of the link as a node."""
 
+from typing import Any
+
 from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.diagram.block import Leg
 from rvd_dynamics.diagram.ros.codecs import FrameOfLink
@@ -31,9 +33,9 @@ class LegNode(FiringNode):
         self._channel = Channel(plan, drawn.hold_steps, run.step_ns)
         self._hold_s = drawn.hold_steps * run.step_s
 
-    def on_step(self, k: int) -> None:
+    def on_step(self, k: int, values: dict[str, Any]) -> None:
         """Send what came in, hand on what is due, and say what became of it all."""
-        sent = self._inputs['content'].held.get(k)
+        sent = values['content']
         frame = None
         if sent is not None and not sent.empty:
             frame = Frame(sequence=sent.sequence, sent_ns=sent.sent, expedited=sent.expedited,

@@ -47,9 +47,9 @@ class PlantNode(BlockNode):
         self.host.publish(self._story, '/run/scenario', -1,
                           String(data=self.host.arguments.text()))
 
-    def on_step(self, k: int) -> None:
+    def on_step(self, k: int, values: dict[str, Any]) -> None:
         """Advance the truth; say when it is the last of it."""
-        super().on_step(k)
+        super().on_step(k, values)
         self.host.publish(self._time, '/clock', k, self._time_layout.pack(
             *divmod(k * self.run.step_ns, NS_PER_S)))
 
