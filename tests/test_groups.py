@@ -8,7 +8,7 @@ import re
 import signal
 import time
 
-from mcap.records import Footer
+from mcap.records import Channel, Footer, Message, Schema
 import numpy as np
 import pytest
 from conftest import Flown
@@ -24,6 +24,7 @@ from rvd_dynamics.diagram.roster import Roster
 from rvd_dynamics.diagram.scenario import load
 from rvd_dynamics.recording import mcap_file
 from rvd_dynamics.recording.reader import read
+from rvd_dynamics.recording.steps import step_reader
 from rvd_interfaces.msg import RelativeState, RunEvent, ThrustCommand
 from rvd_interfaces.srv import RunControl
 
@@ -159,12 +160,12 @@ class Control:
 
 
 LONG = {'step_s': 0.1, 'timeout_s': 900.0, 'start__position_m': [-200.0, 0.0, 0.0]}
-PACES = [('lockstep', 1.0), ('realtime', 40.0)]
+PACES = [('segments', 'lockstep', 1.0), ('segments', 'realtime', 40.0), ('one', 'lockstep', 1.0),
+         ('one', 'realtime', 40.0), ('one', 'realtime', 1000.0)]        # the last: for ever behind
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize('pace, factor', PACES, ids=['lockstep', 'realtime'])
-@pytest.mark.parametrize('processes', GROUPED)
+@pytest.mark.parametrize('processes, pace, factor', PACES)
 def test_pause_resume_mode_and_abort_get_through(processes, pace, factor, groups):
     """A process that fires without a rest still hears what it is told."""
     hand = groups(processes, pace=pace, pace_factor=factor, **LONG)
@@ -283,6 +284,42 @@ def test_a_killed_group_is_named_and_its_bag_can_be_read(processes, victim, flyi
     assert process.wait(60.0) == 2
     assert f'{victim} was ended by signal 9' in (tmp_path / 'out').read_text()
     steps_in(tmp_path / 'run')
+
+
+@pytest.mark.slow
+def test_a_process_that_waits_has_written_all_of_its_step(flying, tmp_path):
+    """It writes a step in one go; nothing of it stays behind in memory until the next."""
+    process = flying('one', '--pace', '2')
+    pid = node_pid(process.pid, 'one')
+    owed = Roster(load(ROOT / 'scenarios' / 'paper.yaml')).owed
+
+    def last_steps():
+        """Return the last step of each topic; with 0.25 s to a step it sleeps nearly always."""
+        os.kill(pid, signal.SIGSTOP)
+        time.sleep(0.05)
+        found = last_in(tmp_path / 'run' / 'bag' / 'bag_0.mcap')
+        os.kill(pid, signal.SIGCONT)
+        return {found[topic] for topic in owed}
+    looks = []
+    for _ in range(10):
+        looks.append(last_steps())
+        time.sleep(0.3)
+    assert sum(len(steps) == 1 for steps in looks) >= 8, looks
+    assert len(set.union(*looks)) > 5           # it went on meanwhile
+
+
+def last_in(path):
+    """Return the step of the last message of each topic in a file."""
+    kinds, topics, found = {}, {}, {}
+    for record in mcap_file.records(path):
+        if isinstance(record, Schema):
+            kinds[record.id] = record.name
+        elif isinstance(record, Channel):
+            topics[record.id] = record.topic, step_reader(kinds[record.schema_id], 500_000_000)
+        elif isinstance(record, Message):
+            topic, step_of = topics[record.channel_id]
+            found[topic] = step_of(record.data) if step_of else None
+    return found
 
 
 @pytest.mark.slow

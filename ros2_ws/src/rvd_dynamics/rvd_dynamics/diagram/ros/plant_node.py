@@ -9,7 +9,7 @@ from std_msgs.msg import Bool, String, UInt64
 from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.diagram.block import Block
 from rvd_dynamics.diagram.ros.block_node import BlockNode
-from rvd_dynamics.diagram.ros.host import Host
+from rvd_dynamics.diagram.ros.host import Host, SLICE_S
 from rvd_dynamics.diagram.ros.wire import Layout
 from rvd_dynamics.diagram.roster import RECORDER, RECORDER_LEAD
 
@@ -90,8 +90,9 @@ class PlantNode(BlockNode):
             self.create_timer(self._step_s / TICKS_PER_STEP, self.guarded(self._tick))
 
     def _tick(self) -> None:
+        until = time.monotonic() + SLICE_S      # a plant that is behind hears the others, too
         while (not self._paused and not self.finished and not self._is_over()
-               and time.monotonic() - self._origin >= self._next * self._step_s):
+               and self._origin + self._next * self._step_s <= time.monotonic() < until):
             self.fire()
             self.host.work()                    # what of it is here fires before the next step
 
