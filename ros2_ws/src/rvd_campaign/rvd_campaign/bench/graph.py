@@ -67,7 +67,7 @@ class Meter:
         Raises
         ------
         ValueError
-            If fewer than two notes were taken.
+            If fewer than two notes were taken, or all of them at once.
         """
         if len(self.steps) < 2:
             raise ValueError(f'the flight is too short to measure: it must last for more than '
@@ -75,6 +75,9 @@ class Meter:
         steps = self.steps[-1] - self.steps[0]
         by_node = {name: round(1e6 * (self.used[-1][name] - before) / steps, 1)
                    for name, before in self.used[0].items()}
+        if not any(by_node.values()):
+            raise ValueError('the steps of a flight were heard only when it was over: leave the '
+                             'machine alone and measure again')
         return {'steps': steps,
                 'steps_per_s': round(steps / (self.times[-1] - self.times[0]), 1),
                 'cpu_us_per_step': round(sum(by_node.values()), 1),
@@ -126,9 +129,9 @@ class Observer:
 def fly_ours(scenario: Path, folder: Path, domain: int) -> Meter:
     """Fly the scenario with the real graph; return the notes."""
     (folder / 'logs').mkdir(parents=True)
+    observer = Observer(domain)                 # before the nodes: in one process they are quick
     supervisor = Supervisor(catalogue.root() / 'scripts' / 'bringup.sh', scenario, folder,
                             False, domain, listed(load(scenario), headless=False))
-    observer = Observer(domain)
 
     def pids() -> dict[str, int]:
         supervisor.poll()
@@ -158,10 +161,10 @@ def sent(folder: Path, roster: Roster) -> dict[str, str]:
 def fly_bare(scenario: Path, steps: int, roster: Roster, messages: Path, domain: int) -> Meter:
     """Run the hollow graph of the same nodes for as many steps."""
     environment = {**os.environ, 'ROS_DOMAIN_ID': str(domain)}
+    observer = Observer(domain)
     processes = {name: subprocess.Popen(
         [sys.executable, '-m', 'rvd_campaign.bench.bare', name, str(scenario), str(steps),
          str(messages)], env=environment, stdin=subprocess.DEVNULL) for name in roster.names}
-    observer = Observer(domain)
     try:
         return observer.follow(lambda: any(p.poll() is not None for p in processes.values()),
                                lambda: {name: p.pid for name, p in processes.items()})
@@ -177,8 +180,8 @@ def fly_bare(scenario: Path, steps: int, roster: Roster, messages: Path, domain:
 
 def fly_before(checkout: Checkout, scenario: Path, folder: Path, domain: int) -> Meter:
     """Fly a scenario with another checkout's own bring-up; return the notes."""
-    flight = BringUp(checkout, scenario, folder, domain)
     observer = Observer(domain)
+    flight = BringUp(checkout, scenario, folder, domain)
     try:
         return observer.follow(flight.ended, flight.pids)
     finally:
@@ -186,7 +189,7 @@ def fly_before(checkout: Checkout, scenario: Path, folder: Path, domain: int) ->
         flight.stop()
 
 
-def measure(repeats: int = 2, name: str = SCENARIO, before: Checkout | None = None
+def measure(repeats: int = 5, name: str = SCENARIO, before: Checkout | None = None
             ) -> dict[str, Any]:
     """
     Fly the real graph, the hollow one, and the real one in fewer processes, turn about.
