@@ -250,7 +250,7 @@ def test_the_payload_is_opaque():
         assert (out is None) == (plain is None)
         if out is not None:
             assert out.payload == payloads[k - 10]
-            assert replace(out, payload=b'') == plain
+            assert out._replace(payload=b'') == plain
     assert one.counts == other.counts
 
 

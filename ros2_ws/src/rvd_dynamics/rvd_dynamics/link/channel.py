@@ -11,7 +11,7 @@ when bits are numbered from the least significant one of each byte, as here.
 
 from bisect import insort
 from collections import deque
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, fields
 from heapq import heappop, heappush
 
 from rvd_dynamics.constants import NS_PER_S
@@ -131,7 +131,7 @@ class Channel:
         self._newest_ns = max(self._newest_ns, frame.sent_ns)
         insort(self._transits, arrival_ns - frame.sent_ns)
 
-        arrived = replace(frame, payload=payload, arrived_ns=arrival_ns)
+        arrived = frame._replace(payload=payload, arrived_ns=arrival_ns)
         if frame.expedited:
             self._expedited.append(arrived)     # each copy: the other may be the intact one
             return
@@ -148,7 +148,7 @@ class Channel:
         if frame is None:
             return None
         self.counts.delivered += 1
-        return replace(frame, released_ns=now_ns)
+        return frame._replace(released_ns=now_ns)
 
 
 def damaged(payload: bytes, which: float) -> bytes:

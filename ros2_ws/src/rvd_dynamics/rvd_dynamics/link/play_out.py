@@ -11,14 +11,13 @@ Source  Zhang, Li, Tang, J. Astronautics 35(3), 2014, section 1.3: a frame with 
         That shift register and these slots release the same frames at the same instants.
 """
 
-from dataclasses import dataclass
 from enum import Enum
+from typing import NamedTuple
 
 from rvd_dynamics.diagram.params import require
 
 
-@dataclass(frozen=True, slots=True)
-class Frame:
+class Frame(NamedTuple):
     """What a link may know about a frame; instants are -1 until they have happened."""
 
     sequence: int                   # given by the sender, rising by one per frame
@@ -51,9 +50,10 @@ class PlayOut:
         self._hold_steps = hold_steps
         self._step_ns = step_ns
         self._slots: list[Frame | None] = [None] * (hold_steps + 1)
+        self._count = 0
 
     def __len__(self) -> int:
-        return sum(slot is not None for slot in self._slots)
+        return self._count
 
     def insert(self, frame: Frame) -> Outcome:
         """Store `frame` unless its release instant has passed or a copy of it is already here."""
@@ -64,10 +64,12 @@ class PlayOut:
         if self._slots[slot] is not None:       # only a frame of the same step has this slot
             return Outcome.DUPLICATE
         self._slots[slot] = frame
+        self._count += 1
         return Outcome.QUEUED
 
     def pop(self, step: int) -> Frame | None:
         """Return the frame due in `step`, if it is here, and free its slot."""
         slot = step % len(self._slots)
         frame, self._slots[slot] = self._slots[slot], None
+        self._count -= frame is not None
         return frame

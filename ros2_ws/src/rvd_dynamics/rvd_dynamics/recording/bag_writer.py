@@ -27,6 +27,7 @@ RESERVE_BYTES = 64 * 1024 * 1024                # [B] kept free for topics worth
                                                 # quarter of it for topics worth 2
 LOOK_EVERY_BYTES = 64 * 1024                    # [B] written between two checks of the disk
 NOTE_RECORDING = 'rvd_recording'                # metadata record: closed, trouble
+UNKNOWN = (0, None, -1)                         # channel, entry and worth of what is no topic
 NOTE_LOST = 'rvd_lost'                          # metadata record: topic -> messages not stored
 
 
@@ -100,7 +101,7 @@ class BagWriter:
     def write(self, topic: str, data: bytes, log_ns: int, publish_ns: int, sequence: int = 0
               ) -> bool:
         """Store one serialised message; False if it had to be given up, which is counted."""
-        channel, entry, worth = self._channels.get(topic, (0, None, -1))
+        channel, entry, worth = self._channels.get(topic, UNKNOWN)
         if worth < self._least:
             self.lost[topic] += 1
             return False
@@ -121,24 +122,28 @@ class BagWriter:
 
         What does not go in together is taken one by one, so that no more is given up than must.
         """
-        known = [self._channels.get(message[0], (0, None, -1)) for message in messages]
-        together = all(worth >= self._least for _, _, worth in known)
-        if together:
-            try:
-                self._file.append_messages([
-                    (channel, sequence, log_ns, publish_ns, data)
-                    for (channel, _, _), (_, data, log_ns, publish_ns, sequence)
-                    in zip(known, messages)])
-            except OSError:
-                together = False
-        if not together:
+        rows, entries = [], []
+        for topic, data, log_ns, publish_ns, sequence in messages:
+            channel, entry, worth = self._channels.get(topic, UNKNOWN)
+            if worth < self._least:
+                break
+            rows.append((channel, sequence, log_ns, publish_ns, data))
+            entries.append((entry, log_ns))
+        if len(rows) < len(messages) or not self._appended(rows):
             for message in messages:
                 self.write(*message)
             return
-        for (_, entry, _), message in zip(known, messages):
-            self.contents.add(entry, message[2])
+        for entry, log_ns in entries:
+            self.contents.add(entry, log_ns)
         if self._file.size >= self._look_at:
             self._look()
+
+    def _appended(self, rows: list[tuple]) -> bool:
+        try:
+            self._file.append_messages(rows)
+        except OSError:
+            return False
+        return True
 
     def _look(self) -> None:
         """On a nearly full disk, leave the rest of it to the topics that are worth most."""

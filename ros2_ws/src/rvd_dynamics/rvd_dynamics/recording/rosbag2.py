@@ -43,8 +43,10 @@ class Contents:
 
     def add(self, topic: Topic, log_ns: int) -> None:
         """Count one message."""
-        self.start_ns = min(self.start_ns, log_ns) if self.count else log_ns
-        self.end_ns = max(self.end_ns, log_ns) if self.count else log_ns
+        if log_ns < self.start_ns or not self.count:
+            self.start_ns = log_ns
+        if log_ns > self.end_ns or not self.count:
+            self.end_ns = log_ns
         self.count += 1
         topic.count += 1
 

@@ -32,7 +32,7 @@ BARRIER_PERIOD_S = 0.05         # [s] wall time between two looks at the endpoin
 DIAGNOSTICS_PERIOD_S = 1.0      # [s] wall time
 MOMENT_S = 0.3                  # [s] wall time in which local readers get what was written last
 RECORDER_S = 5.0                # [s] wall time that a closing process gives the recorder
-SLICE_S = 0.02                  # [s] wall time of firing before the executor is looked at again
+SLICE_S = 0.05                  # [s] wall time of firing before the executor is looked at again
 
 
 def message_type(name: str) -> type:

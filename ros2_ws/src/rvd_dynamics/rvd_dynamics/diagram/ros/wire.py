@@ -46,29 +46,17 @@ class Layout:
     def __init__(self, kind: type, strings: dict[str, str] | None = None,
                  sizes: dict[str, int] | None = None) -> None:
         self._kind, self._strings, self._sizes = kind.__name__, strings or {}, sizes or {}
-        self._format, self._at = '<4s', 0
         self.fields: dict[str, str] = {}        # path of each number that `pack` takes: its code
-        self._fixed: list[tuple[int, Any]] = []     # place among all values, what stands there
-        self._count = 1
+        self._start = bytearray(HEAD)           # the message with every number zero
+        self._formats: list[tuple[int, str]] = []   # of numbers in a row: where, and their codes
+        self._in_a_row = False
         self._walk(kind, '')
-        self._struct = Struct(self._format)
-        self._template = [None] * self._count
-        self._template[0] = HEAD
-        for place, value in self._fixed:
-            self._template[place] = value
-        taken = {0, *(place for place, _ in self._fixed)}
-        self._places = [i for i in range(self._count) if i not in taken]
-        self._runs = self._slices()
-
-    def _slices(self) -> list[tuple[slice, slice]]:
-        """Return where consecutive numbers of `pack` go in the whole."""
-        runs, start = [], 0
-        for i in range(1, len(self._places) + 1):
-            if i == len(self._places) or self._places[i] != self._places[i - 1] + 1:
-                first = self._places[start]
-                runs.append((slice(first, first + i - start), slice(start, i)))
-                start = i
-        return runs
+        self._runs, first = [], 0
+        for at, codes in self._formats:
+            run = Struct(codes)
+            last = first + len(run.unpack(bytes(run.size)))
+            self._runs.append((run.pack_into, at, slice(first, last)))
+            first = last
 
     def pack(self, *numbers: Any) -> bytes:
         """
@@ -81,12 +69,12 @@ class Layout:
         struct.error
             If one does not fit its field.
         """
-        if len(numbers) != len(self._places):
-            raise ValueError(f'{self._kind} takes {len(self._places)} numbers, got {len(numbers)}')
-        values = self._template.copy()
-        for there, here in self._runs:
-            values[there] = numbers[here]
-        return self._struct.pack(*values)
+        if len(numbers) != len(self.fields):
+            raise ValueError(f'{self._kind} takes {len(self.fields)} numbers, got {len(numbers)}')
+        message = self._start.copy()
+        for pack_into, at, which in self._runs:
+            pack_into(message, at, *numbers[which])
+        return bytes(message)
 
     # -- reading the message class ------------------------------------------------------------
 
@@ -126,13 +114,23 @@ class Layout:
             raise ValueError(f'{path}: no fixed size for {text}')
 
     def _constant(self, code: str, value: Any) -> None:
-        self._fixed.append((self._count, value))
-        self._number(code)
+        self._align(code)
+        self._start += Struct(f'<{code}').pack(value)
+        self._in_a_row = False
 
     def _number(self, code: str) -> None:
-        size = Struct(f'<{code}').size
-        align = 1 if code.endswith('s') else size       # characters need none
-        pad = -self._at % align
-        self._format += f'{pad}x{code}' if pad else code
-        self._at += pad + size
-        self._count += 1
+        pad = self._align(code)
+        if self._in_a_row:
+            at, codes = self._formats.pop()
+            self._formats.append((at, f'{codes}{pad}x{code}'))
+        else:
+            self._formats.append((len(self._start), f'<{code}'))
+        self._start += bytes(Struct(f'<{code}').size)
+        self._in_a_row = True
+
+    def _align(self, code: str) -> int:
+        """Fill up to where the next field may stand; return by how much."""
+        size = 1 if code.endswith('s') else Struct(f'<{code}').size     # characters: anywhere
+        pad = -(len(self._start) - len(HEAD)) % size
+        self._start += bytes(pad)
+        return pad
