@@ -51,6 +51,14 @@ def test_a_flight_that_is_too_short_is_refused():
         graph.Meter().result()
 
 
+def test_steps_that_are_heard_only_at_the_end_are_no_measurement():
+    """Or an observer that was late printed 94,000 steps a second."""
+    meter = graph.Meter(steps=[96, 112, 1200], times=[1.0, 1.001, 1.002],
+                        used=[{'a': 0.5}, {'a': 0.5}, {'a': 0.5}])
+    with pytest.raises(ValueError, match='heard only when it was over'):
+        meter.result()
+
+
 def test_a_line_says_whether_the_target_is_met():
     assert line(Row('it', '3 s', '< 2 s', False)).endswith('NOT met')
     assert line(Row('it', '1 s', '< 2 s', True)).endswith('  met')

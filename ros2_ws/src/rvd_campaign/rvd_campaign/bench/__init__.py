@@ -67,7 +67,7 @@ def line(row: Row) -> str:
 
 def _graph(quick: bool, before: Checkout | None) -> dict:
     from rvd_campaign.bench import graph
-    return graph.measure(1 if quick else 2, before=before)
+    return graph.measure(1 if quick else 5, before=before)
 
 
 def _graph_rows(r: dict) -> list[Row]:
