@@ -59,6 +59,24 @@ def test_steps_that_are_heard_only_at_the_end_are_no_measurement():
         meter.result()
 
 
+def test_a_flight_that_was_not_heard_is_flown_again_but_not_for_ever():
+    asked = []
+
+    def fly(attempt):
+        asked.append(attempt)
+        if len(asked) < 3:
+            raise graph.Unheard('too late')
+        return {'steps': 1}
+    assert graph.heard(fly) == {'steps': 1} and asked == [0, 1, 2]
+    def never(attempt):
+        asked.append(attempt)
+        raise graph.Unheard('too late')
+    asked.clear()
+    with pytest.raises(graph.Unheard):
+        graph.heard(never)
+    assert asked == [0, 1, 2, 3]
+
+
 def test_a_line_says_whether_the_target_is_met():
     assert line(Row('it', '3 s', '< 2 s', False)).endswith('NOT met')
     assert line(Row('it', '1 s', '< 2 s', True)).endswith('  met')
