@@ -43,11 +43,12 @@ MIN_STEPS_PER_S = 120.0         # 12 times real time at ten steps a second
 MIN_SPEED = {'segments': 2.0, 'one': 8.0}       # steps per second, times those of `blocks`
 LOCKSTEP = {'pace': 'lockstep', 'operator': 'model', 'joy_input': 'stepped'}
 ATTEMPTS = 4                    # a flight of a second may be over before it is discovered
+FRESH_NS = 100_000_000          # [ns] wall time after which a step is old news
 PATIENCE_S = 120.0              # [s] wall time for one flight, start included
 
 
 class Unheard(ValueError):
-    """The observer heard the steps of a flight only when it was over."""
+    """Too few steps of a flight were heard while they were new."""
 
 
 @dataclass
@@ -72,17 +73,14 @@ class Meter:
         Raises
         ------
         ValueError
-            If fewer than two notes were taken, or all of them at once.
+            If fewer than two notes were taken.
         """
         if len(self.steps) < 2:
-            raise ValueError(f'the flight is too short to measure: it must last for more than '
-                             f'{WARM_UP_STEPS + 32} steps')
+            raise Unheard(f'the flight is too short to measure, or was heard too late: it must '
+                          f'last for more than {WARM_UP_STEPS + 32} steps')
         steps = self.steps[-1] - self.steps[0]
         by_node = {name: round(1e6 * (self.used[-1][name] - before) / steps, 1)
                    for name, before in self.used[0].items()}
-        if not any(by_node.values()):
-            raise Unheard('the steps of a flight were heard only when it was over: leave the '
-                          'machine alone and measure again')
         return {'steps': steps,
                 'steps_per_s': round(steps / (self.times[-1] - self.times[0]), 1),
                 'cpu_us_per_step': round(sum(by_node.values()), 1),
@@ -101,13 +99,17 @@ class Observer:
         self._executor = SingleThreadedExecutor(context=self._context)
         self._executor.add_node(self._node)
         self._steps: list[int] = []
-        self._node.create_subscription(
-            UInt64, '/run/recorded_step', lambda m: self._steps.append(m.data),
-            qos.of('/run/recorded_step'))
+        self._node.create_subscription(UInt64, '/run/recorded_step', self._hear,
+                                       qos.of('/run/recorded_step'))
+
+    def _hear(self, message: UInt64, info: dict) -> None:
+        """Leave out what was sent before the writer was discovered, and comes all at once."""
+        if time.time_ns() - info['source_timestamp'] < FRESH_NS:
+            self._steps.append(message.data)
 
     def follow(self, ended: Callable[[], bool], pids: Callable[[], dict[str, int]]) -> Meter:
         """
-        Note every step that is reported until `ended()`; `pids()` are the nodes by name.
+        Note every step that is reported in time until `ended()`; `pids()` are the nodes by name.
 
         Raises
         ------

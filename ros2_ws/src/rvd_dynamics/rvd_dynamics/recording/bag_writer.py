@@ -3,8 +3,8 @@ A rosbag2 bag (MCAP) that keeps what it was given, whatever happens to its proce
 
 Layout      DIRECTORY/metadata.yaml, written when the bag is opened and again when it is closed
             DIRECTORY/NAME_0.mcap, NAME being the directory's name as rosbag2 has it
-Kill -9     every message that `write` or `write_all` accepted is in the file, which then lacks its end and
-            its index; `repair` adds both
+Kill -9     every message that `write` or `write_all` accepted is in the file, which then lacks its
+            end and its index; `repair` adds both
 Full disk   messages of topics that are worth less are given up first, while there is still
             room for the others; each message that is not stored is counted
 Times       `log_ns` is what readers sort by and what playback follows; the recorder puts
@@ -118,7 +118,7 @@ class BagWriter:
 
     def write_all(self, messages: list[tuple[str, bytes, int, int, int]]) -> None:
         """
-        Store several messages, each as `write` takes it, in a fifth of the time.
+        Store several messages, each as `write` takes it, in one go.
 
         What does not go in together is taken one by one, so that no more is given up than must.
         """
