@@ -11,12 +11,14 @@
 # --headless leaves out the markers, which only viewers need
 #
 # Prints `start NAME PID` for each process and `exit NAME CODE` when it has ended; ends when all
-# have, or ends them on SIGINT or SIGTERM. Exit code 0 if every process ended well.
+# have. On SIGINT, SIGTERM or SIGHUP, or when one has failed, it ends them: the recorder last, so
+# that the bag holds what the others said at the end, and by SIGKILL what does not go. Nodes do not
+# outlive it, however it ends (rvd_dynamics/lifeline.py). Exit code 0 if every process ended well.
 
 set -u
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 case "${1:-}" in
-    -h | --help | '') sed -n '3,16s/^# \{0,1\}//p' "$0"; [ -n "${1:-}" ]; exit $(($? * 2)) ;;
+    -h | --help | '') sed -n '3,18s/^# \{0,1\}//p' "$0"; [ -n "${1:-}" ]; exit $(($? * 2)) ;;
 esac
 if ! [[ ":${AMENT_PREFIX_PATH:-}:" == *rvd_dynamics:* ]]; then      # workspace not sourced yet
     exec "$here/../rvd" shell "$0" "$@"
@@ -41,31 +43,65 @@ executable() {      # where `ros2 run` looks
 
 export RVD_LEAN=${RVD_LEAN:-1} ROS_LOG_DIR=${ROS_LOG_DIR:-$run/logs}
 export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
+export PYTHONSAFEPATH=1                 # no file of the working folder takes a module's place
+export RVD_PARENT=$$                    # the nodes end when this shell has gone
+STOP_S=8 BAG_S=5                        # what the others, and then the recorder, get to end in order
 declare -A name_of
-failed=0
-stop() { kill -TERM "${!name_of[@]}" 2>/dev/null; }
-trap stop INT TERM
+failed=0 stage=run recorder='' timer=''
 
-# One line a process: its name, package and executable, and what it is told besides the scenario.
-# Whoever has asked the mission already (`./rvd fly`) hands the list over.
+say() { echo "$@" 2>/dev/null; }        # that nobody reads it is no reason to stop flying
+trap '' PIPE
+others() { jobs -p | grep -vxF -e "$recorder" -e "$timer"; }
+tell() {                                # tell SIGNAL PID...; a stopped process cannot end itself
+    [ $# -gt 1 ] && kill -s "$@" 2>/dev/null && kill -s CONT "${@:2}" 2>/dev/null
+}
+end_within() {                          # end_within SECONDS PID...
+    local seconds=$1
+    shift
+    tell TERM "$@"
+    [ -z "$timer" ] || kill "$timer" 2>/dev/null
+    sleep "$seconds" &
+    timer=$!
+}
+stop() {
+    [ $stage = run ] || return
+    stage=others
+    end_within $STOP_S $(others)
+}
+trap stop INT TERM HUP
+trap 'kill -KILL $(jobs -p) 2>/dev/null' EXIT
+
+# One line a process, the recorder's last: its name, package and executable, and what it is told
+# besides the scenario. Whoever has asked the mission already (`./rvd fly`) hands the list over.
 list=${RVD_PROCESSES:-$(python3 -m rvd_dynamics.diagram.roster "$scenario" "$run" $headless)} || exit 2
 while read -r name package program arguments; do
     executable "$package" "$program" >/dev/null || exit 2          # before anything has started
 done <<<"$list"
 while read -r name package program arguments; do
+    [ $stage = run ] || break
     eval "own=($arguments)"
     "$(executable "$package" "$program")" --ros-args --params-file "$scenario" "${own[@]}" >"$run/logs/$name.log" 2>&1 </dev/null &
     name_of[$!]=$name
-    echo "start $name $!"
+    say "start $name $!"
 done <<<"$list"
+[ $stage = run ] && recorder=$!
 
 while [ ${#name_of[@]} -gt 0 ]; do
-    pid=
+    if [ $stage = others ] && [ -z "$(others)" ]; then
+        stage=recorder
+        end_within $BAG_S $recorder
+    fi
     wait -n -p pid
     code=$?
-    [ -n "${pid:-}" ] || continue                          # a signal, not an end
-    echo "exit ${name_of[$pid]} $code"
-    [ "$code" = 0 ] || failed=$code
-    unset "name_of[$pid]"
+    if [ -z "${pid:-}" ]; then                                     # a signal, not an end
+        [ -n "$(jobs -p)" ] || break
+    elif [ "$pid" = "$timer" ]; then
+        timer=
+        if [ $stage = others ]; then tell KILL $(others); else tell KILL $recorder; fi
+    elif [ -n "${name_of[$pid]:-}" ]; then
+        say "exit ${name_of[$pid]} $code"
+        unset "name_of[$pid]"
+        [ "$code" = 0 ] || { [ "$failed" != 0 ] || failed=$code; stop; }   # the run cannot go on
+    fi
 done
 exit "$failed"

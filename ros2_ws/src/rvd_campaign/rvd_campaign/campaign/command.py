@@ -17,6 +17,7 @@ from rvd_campaign.campaign.spec import Campaign, check_runs, load_campaign
 from rvd_campaign.campaign.summary import finish, in_words, SUMMARY
 from rvd_campaign.exits import CannotRun, EXIT_DONE, EXIT_INTERRUPTED
 from rvd_campaign.flight.fly import new_folder
+from rvd_campaign.flight.interrupts import all_like_ctrl_c
 from rvd_dynamics.recording import whole
 
 MAX_WORKERS = 256
@@ -26,7 +27,7 @@ def main(args: argparse.Namespace) -> int:
     """Fly a campaign as the command line asks; return the exit code."""
     workers = _workers(args)
     campaign, folder = _resumed(args) if args.resume else _new(args)
-    signal.signal(signal.SIGTERM, lambda *_: signal.raise_signal(signal.SIGINT))
+    all_like_ctrl_c()
     print(f'{campaign.name}: {len(campaign.conditions)} conditions of {campaign.runs:,} runs, '
           f'seed {campaign.seed}, {folder}', flush=True)
     progress = Progress()

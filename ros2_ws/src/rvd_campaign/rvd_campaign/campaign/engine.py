@@ -37,6 +37,7 @@ from rvd_campaign.campaign import results
 from rvd_campaign.campaign.progress import Progress
 from rvd_campaign.campaign.results import Stretch, Table
 from rvd_campaign.campaign.spec import Campaign, CampaignError, from_dict
+from rvd_dynamics import lifeline
 from rvd_dynamics.diagram.in_process import draw, draws_key, fly
 from rvd_dynamics.diagram.mission import Mission
 from rvd_dynamics.diagram.scenario import Scenario, ScenarioError
@@ -51,7 +52,6 @@ FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 MATTERS = ('numpy', 'scipy', 'filterpy')        # packages whose version may move a last bit
 SOURCES = ('.py', '.c', '.h')
 NO_SOURCES = {'nodes', 'ros', 'recording'}      # folders on which no run in process depends
-PR_SET_PDEATHSIG = 1                            # linux/prctl.h
 
 
 @dataclass(frozen=True)
@@ -347,11 +347,7 @@ def _live_with_parent() -> None:
     if threading.current_thread() is not threading.main_thread():
         return
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    try:
-        import ctypes
-        ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
-    except (OSError, AttributeError):           # not Linux
-        pass
+    lifeline.die_with_parent()
 
 
 @contextmanager

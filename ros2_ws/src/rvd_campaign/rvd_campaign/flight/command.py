@@ -3,11 +3,11 @@
 """
 
 import argparse
-import signal
 
 from rvd_campaign.exits import CannotRun, EXIT_DONE, EXIT_FAILED
 from rvd_campaign.flight import fly, verdict
 from rvd_campaign.flight.domain import reserved_domain
+from rvd_campaign.flight.interrupts import all_like_ctrl_c
 
 
 def main(args: argparse.Namespace) -> int:
@@ -28,7 +28,7 @@ def main(args: argparse.Namespace) -> int:
         return console.main(args, scenario)
     run_dir = fly.new_folder(args.out, scenario.name)
     (run_dir / 'scenario.yaml').write_text(scenario.dump(), encoding='utf-8')
-    signal.signal(signal.SIGTERM, lambda *_: signal.raise_signal(signal.SIGINT))
+    all_like_ctrl_c()
     with reserved_domain() as domain:
         print(f'{fly.introduced(scenario)}, ROS_DOMAIN_ID={domain}, {run_dir}', flush=True)
         code = fly.Flight(scenario, run_dir, domain, args.headless).fly()

@@ -10,7 +10,6 @@ import argparse
 import json
 import os
 import queue
-import signal
 import subprocess
 import sys
 import tempfile
@@ -21,6 +20,8 @@ from typing import Any
 from rvd_campaign.flight import fly
 from rvd_campaign.exits import CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_INTERRUPTED
 from rvd_campaign.flight.domain import reserved_domain
+from rvd_campaign.flight.interrupts import all_like_ctrl_c
+from rvd_dynamics import lifeline
 from rvd_dynamics.diagram.display import as_data
 from rvd_dynamics.diagram.scenario import Scenario
 from rvd_groundstation.console.provider import display_of
@@ -50,6 +51,7 @@ class ConsoleProcess:
             command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True,
             start_new_session=True,
             env={**os.environ, 'ROS_DOMAIN_ID': str(domain), 'RVD_LEAN': '1',
+                 lifeline.PARENT: str(os.getpid()), 'ROS_LOG_DIR': str(folder),
                  'OMP_NUM_THREADS': '1', 'OPENBLAS_NUM_THREADS': '1'})
         self._wishes: queue.Queue[dict] = queue.Queue()
         self._held: dict | None = None          # a wish for after the run under way
@@ -131,8 +133,7 @@ def main(args: argparse.Namespace, scenario: Scenario) -> int:
             raise CannotRun('--session needs --out DIR, the folder of all its volunteers')
         runs = Path(args.out)
     runs.mkdir(parents=True, exist_ok=True)
-    for number in (signal.SIGTERM, signal.SIGINT):
-        signal.signal(number, _interrupt)
+    all_like_ctrl_c()
     with reserved_domain() as domain, tempfile.TemporaryDirectory(prefix='rvd-') as folder:
         page = ConsoleProcess(args, runs, Path(folder), domain, scenario)
         os.environ['RVD_CONSOLE'] = str(page.socket)
@@ -141,10 +142,6 @@ def main(args: argparse.Namespace, scenario: Scenario) -> int:
             return _serve(page, args, scenario, runs, domain)
         finally:
             page.stop()
-
-
-def _interrupt(*_: Any) -> None:
-    raise KeyboardInterrupt
 
 
 def _serve(page: ConsoleProcess, args: argparse.Namespace, scenario: Scenario, runs: Path,

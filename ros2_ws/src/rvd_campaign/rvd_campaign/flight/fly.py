@@ -4,6 +4,7 @@ Fly one approach by the graph: bring it up, follow it, say how it went, leave a 
 
 import argparse
 import importlib
+import os
 import re
 import shutil
 import sys
@@ -19,12 +20,14 @@ from rvd_campaign.exits import (
     CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_FAILED, EXIT_INTERRUPTED)
 from rvd_dynamics.diagram.roster import listed
 from rvd_dynamics.diagram.scenario import load, Scenario
+from rvd_campaign.flight.interrupts import uninterrupted
 from rvd_campaign.flight.supervisor import Supervisor
 
 START_S = 60.0                  # [s] wall time for the graph to come up
 END_S = 15.0                    # [s] wall time for the nodes to end after the verdict
 STALL_S = 10.0                  # [s] wall time without a step before the run is given up
 SHOW_S = 0.2                    # [s] wall time between two looks
+STOPPED_S = 5.0                 # [s] wall time without a look: this process did not run
 
 
 def chosen(args: argparse.Namespace) -> Scenario:
@@ -121,10 +124,15 @@ class Flight:
         self._supervisor = Supervisor(
             catalogue.root() / 'scripts' / 'bringup.sh', run_dir / 'scenario.yaml', run_dir,
             headless, domain, self._roster)
-        if scenario.run.processes == 'one':     # a core is idle while the one process starts
-            threading.Thread(target=_load_the_report, daemon=True).start()
-        from rvd_campaign.flight.watch import FlightWatch      # imports ROS while the nodes do, too
-        self._watch = FlightWatch(self._roster, domain)
+        try:
+            if scenario.run.processes == 'one':     # a core is idle while the one process starts
+                threading.Thread(target=_load_the_report, daemon=True).start()
+            os.environ['ROS_LOG_DIR'] = str(run_dir.resolve() / 'logs')     # and not ~/.ros
+            from rvd_campaign.flight.watch import FlightWatch   # imports ROS while the nodes do
+            self._watch = FlightWatch(self._roster, domain)
+        except BaseException:                       # Ctrl-C, too
+            self._supervisor.stop()
+            raise
         self._shown_at = 0.0
         self._on_line = False
 
@@ -136,10 +144,11 @@ class Flight:
         except KeyboardInterrupt:
             interrupted = True
         finally:
-            self._supervisor.stop()
-            self._watch.spin(0.1)
-            self._watch.close()
-            self._end_line()
+            with uninterrupted():
+                self._supervisor.stop()
+                self._watch.spin(0.1)
+                self._watch.close()
+                self._end_line()
         if problem is not None:
             print(f'rvd fly: {problem}', file=sys.stderr)
             print(f'rvd fly: logs are in {self._run_dir / "logs"}', file=sys.stderr)
@@ -159,8 +168,7 @@ class Flight:
         """Return None when the run has ended, or the sentence that says why it could not."""
         begun = time.monotonic()
         while True:
-            self._watch.spin(SHOW_S if self._watch.steps else 0.05)
-            self._show()
+            begun += self._look(SHOW_S if self._watch.steps else 0.05)
             if self._stop_asked():
                 raise KeyboardInterrupt
             if self._is_final(self._watch.verdict):
@@ -180,6 +188,27 @@ class Flight:
                         f'{", ".join(waiting) or self._roster.diagram.plant}')
             if self._stalled(now):
                 return f'no step for {STALL_S:g} s of wall time: {self._owing()}'
+
+    def _look(self, seconds: float) -> float:
+        """
+        Take in and show what comes within `seconds`.
+
+        Returns
+        -------
+        float
+            Wall time for which this process was stopped meanwhile (Ctrl-Z, a paused container)
+            [s]: nobody else's fault.
+        """
+        begun = time.monotonic()
+        self._watch.spin(seconds)
+        self._show()
+        stopped_s = time.monotonic() - begun
+        if stopped_s < STOPPED_S:
+            return 0.0
+        self._end_line()
+        print(f'  rvd fly was stopped for {stopped_s:.0f} s', flush=True)
+        self._watch.progress_at += stopped_s
+        return stopped_s
 
     def _owing(self) -> str:
         """Say which nodes owe a message, and in which process they are if it is not their own."""
@@ -222,8 +251,7 @@ class Flight:
         _load_the_report()
         deadline = time.monotonic() + END_S
         while not self._supervisor.ended and time.monotonic() < deadline:
-            self._watch.spin(SHOW_S)
-            self._show()
+            deadline += self._look(SHOW_S)
         late = sorted(set(self._supervisor.pids) - set(self._supervisor.codes))
         if late:
             self._end_line()

@@ -1,5 +1,5 @@
 """
-Processes of a run: `scripts/bringup.sh` starts them, this watches them and ends them by pid.
+Processes of a run: `scripts/bringup.sh` starts and ends them, this watches it.
 """
 
 import os
@@ -10,32 +10,33 @@ import threading
 import time
 from pathlib import Path
 
-from rvd_dynamics.diagram.roster import lines, RECORDER, Roster
+from rvd_dynamics import lifeline
+from rvd_dynamics.diagram.roster import lines, Roster
 
-STOP_S = 8.0                    # [s] wall time a node gets to end in order
-BAG_S = 5.0                     # [s] more for the recorder to close its bag
+STOP_S = 15.0                   # [s] wall time the bring-up gets to end all; it asks for 13
 
 
 class Supervisor:
     """
     The bring-up as a child process in a session of its own.
 
-    A Ctrl-C at the terminal reaches the caller alone, which then ends the nodes in order: the
-    recorder last, so that the bag holds what the others said at the end.
+    A Ctrl-C at the terminal reaches the caller alone, which then lets the bring-up end the nodes
+    in order. If the caller is killed, the kernel tells the bring-up to.
     """
 
     def __init__(self, bringup: Path, scenario: Path, run_dir: Path, headless: bool,
                  domain: int, roster: Roster) -> None:
         """Start the bring-up of the processes that a roster has."""
         self.run_dir = run_dir
-        self._recorder = roster.process_of[RECORDER]
         self.pids: dict[str, int] = {}
         self.codes: dict[str, int] = {}
         command = [str(bringup), str(scenario), str(run_dir)] + ['--headless'] * headless
         self._process = subprocess.Popen(
             command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-            text=True, start_new_session=True, env={
+            text=True, start_new_session=True,
+            preexec_fn=lambda: lifeline.die_with_parent(signal.SIGTERM), env={
                 **os.environ, 'ROS_DOMAIN_ID': str(domain),
+                'ROS_LOG_DIR': str(run_dir.resolve() / 'logs'),
                 'RVD_PROCESSES': '\n'.join(lines(roster, str(run_dir.resolve())))})
         self._lines: queue.Queue[str] = queue.Queue()
         self._reader = threading.Thread(target=self._read, daemon=True)
@@ -89,31 +90,20 @@ class Supervisor:
         return lines[-1] if lines else ''
 
     def stop(self) -> None:
-        """End every node by pid, the recorder last, and wait for them."""
-        self.poll()
-        recorder = self.pids.get(self._recorder)
-        self._end([pid for pid in self.pids.values() if pid != recorder], STOP_S)
-        if recorder is not None:
-            self._end([recorder], BAG_S)
+        """End every process, the recorder last, and wait for them; what does not go is killed."""
+        _signal(self._process.pid, signal.SIGTERM)
+        _signal(self._process.pid, signal.SIGCONT)      # a stopped process cannot end itself
         try:
             self._process.wait(STOP_S)
         except subprocess.TimeoutExpired:
-            self._process.kill()
-            self._process.wait()
+            pass
+        try:                                            # its session: whatever it has started
+            os.killpg(self._process.pid, signal.SIGKILL)
+        except ProcessLookupError:
+            pass
+        self._process.wait()
         self._reader.join(1.0)
         self.poll()
-
-    def _end(self, pids: list[int], patience_s: float) -> None:
-        for pid in pids:
-            _signal(pid, signal.SIGTERM)
-            _signal(pid, signal.SIGCONT)        # a stopped process cannot end itself
-        deadline = time.monotonic() + patience_s
-        while time.monotonic() < deadline and any(_alive(pid) for pid in pids):
-            self.poll()
-            time.sleep(0.02)
-        for pid in pids:
-            if _alive(pid):
-                _signal(pid, signal.SIGKILL)
 
 
 def _signal(pid: int, number: int) -> None:
@@ -121,11 +111,3 @@ def _signal(pid: int, number: int) -> None:
         os.kill(pid, number)
     except ProcessLookupError:
         pass
-
-
-def _alive(pid: int) -> bool:
-    try:
-        with open(f'/proc/{pid}/stat', encoding='ascii', errors='replace') as stat:
-            return stat.read().rsplit(')', 1)[1].split()[0] != 'Z'
-    except OSError:
-        return False

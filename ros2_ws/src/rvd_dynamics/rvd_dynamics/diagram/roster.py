@@ -251,10 +251,14 @@ def listed(scenario: Scenario, headless: bool, console: bool = False) -> Roster:
 
 
 def lines(roster: Roster, run_dir: str) -> list[str]:
-    """Return one line per process: name, package, executable and ROS arguments, for a shell."""
+    """
+    Return one line per process: name, package, executable and ROS arguments, for a shell.
+
+    The recorder's is the last one, by which the bring-up knows it.
+    """
     names = f'[{",".join(roster.names)}]'
     made = []
-    for process in roster.processes:
+    for process in sorted(roster.processes, key=lambda p: RECORDER in p.nodes):
         arguments = ['-p', f'nodes:={names}']
         if process.grouped:
             arguments += ['-p', f'group:={process.name}']

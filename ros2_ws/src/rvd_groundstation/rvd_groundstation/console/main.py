@@ -20,11 +20,13 @@ import asyncio
 import os
 import sys
 
+from rvd_dynamics import lifeline
 from rvd_groundstation.console import attach
 
 
 def main(args=None) -> None:
     """Join a console that is there, or be one."""
+    lifeline.hold()
     arguments = list(sys.argv[1:] if args is None else args)
     socket = os.environ.get('RVD_CONSOLE', '')
     if '--serve' not in arguments and socket:

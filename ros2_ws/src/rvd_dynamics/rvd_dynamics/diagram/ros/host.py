@@ -10,6 +10,7 @@ that `/run/end` names is over.
 from collections import defaultdict
 from collections.abc import Callable
 import importlib
+import os
 import sys
 import time
 from typing import Any
@@ -19,8 +20,10 @@ import rclpy
 from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.publisher import Publisher
 from rclpy.serialization import serialize_message
+from rclpy.signals import SignalHandlerOptions
 from std_msgs.msg import String, UInt64
 
+from rvd_dynamics import lifeline
 from rvd_dynamics.diagram.ros.arguments import Arguments
 from rvd_dynamics.diagram.ros.conversions import header_at
 from rvd_dynamics.diagram.ros.node import RunNode
@@ -246,6 +249,7 @@ class Host:
                     time.sleep(0.02)
         for node in self.nodes.values():
             node.close()
+        lifeline.leave_within()
         for node in self.nodes.values():
             node.destroy_node()
 
@@ -260,9 +264,15 @@ def listen_for_the_end(host: Host) -> None:
         host._lead.watch('/run/end', UInt64, lambda message: host.end(message.data))
 
 
+def _signals() -> SignalHandlerOptions:
+    """Return what ends the process: under a bring-up, what that asks for alone."""
+    return (SignalHandlerOptions.SIGTERM if os.environ.get(lifeline.PARENT)
+            else SignalHandlerOptions.ALL)
+
+
 def _init(argv: list[str]) -> None:
     try:
-        rclpy.init(args=argv)
+        rclpy.init(args=argv, signal_handler_options=_signals())
     except RuntimeError as error:               # RCLError: arguments that are none of ROS
         raise ValueError(f'bad ROS arguments: {" ".join(str(error).split())}') from None
 

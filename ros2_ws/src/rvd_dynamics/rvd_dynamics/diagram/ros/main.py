@@ -8,6 +8,7 @@ group:=NAME` starts all the nodes that share the process NAME when `processes` i
 
 import sys
 
+from rvd_dynamics import lifeline
 from rvd_dynamics.diagram.block import Block, Leg
 from rvd_dynamics.diagram.ros.arguments import Arguments, parsed
 from rvd_dynamics.diagram.ros.block_node import BlockNode
@@ -22,6 +23,7 @@ LEG_EXECUTABLE = 'link_emulator'
 
 def main() -> None:
     """Run the nodes that the command line names."""
+    lifeline.hold()
     try:
         arguments = parsed(sys.argv)
     except ValueError as error:

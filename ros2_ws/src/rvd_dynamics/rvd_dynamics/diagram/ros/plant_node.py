@@ -14,6 +14,7 @@ from rvd_dynamics.diagram.ros.wire import Layout
 from rvd_dynamics.diagram.roster import RECORDER, RECORDER_LEAD
 
 TICKS_PER_STEP = 8              # how often the wall clock is looked at in real time
+STILL_S = 2.0                   # [s] wall time between two looks: this process did not run
 
 
 class PlantNode(BlockNode):
@@ -86,15 +87,26 @@ class PlantNode(BlockNode):
         self._started = True
         if self.realtime:
             self._step_s = self.run.step_s / self.run.pace_factor
-            self._origin = time.monotonic()
+            self._origin = self._ticked = time.monotonic()
             self.create_timer(self._step_s / TICKS_PER_STEP, self.guarded(self._tick))
 
     def _tick(self) -> None:
-        until = time.monotonic() + SLICE_S      # a plant that is behind hears the others, too
+        now = time.monotonic()
+        self._wake(now - self._ticked)
+        until = now + SLICE_S                   # a plant that is behind hears the others, too
         while (not self._paused and not self.finished and not self._is_over()
                and self._origin + self._next * self._step_s <= time.monotonic() < until):
             self.fire()
             self.host.work()                    # what of it is here fires before the next step
+        self._ticked = time.monotonic()
+
+    def _wake(self, still_s: float) -> None:
+        """Take up the clock where it was left, if this process was stopped meanwhile."""
+        if still_s > STILL_S:
+            self._origin += still_s
+            if not self._paused:
+                self.event('STILL', f'the computer or this process stood still for {still_s:.0f} s '
+                           'of wall time; simulation time goes on from where it was')
 
     def _on_recorded(self, _: int, message: UInt64) -> None:
         self._recorded = message.data
