@@ -9,6 +9,7 @@ import argparse
 import sys
 
 from rvd_campaign.exits import CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_INTERRUPTED
+from rvd_campaign.output import keep_going
 
 
 class Parser(argparse.ArgumentParser):
@@ -21,6 +22,7 @@ class Parser(argparse.ArgumentParser):
 
 def main(argv: list[str] | None = None) -> int:
     """Run one command and return its exit code."""
+    keep_going()
     args = parser().parse_args(argv)
     try:
         return args.run(args)
