@@ -148,7 +148,8 @@ def test_file_and_python_agree_on_every_bound(name, data):
         assume(BESIDES.get(field.name, lambda v: True)(value))
         assert refused is None and refused_directly is None
         assert getattr(direct, field.name) == value
-        assert attribute(made, prefix.rstrip('.')) == direct
+        if not hasattr(cls, 'preset'):          # in a file, keys left out follow the layout
+            assert attribute(made, prefix.rstrip('.')) == direct
     else:
         assert refused == prefix + refused_directly
         assert '\n' not in refused or '\n' in str(value)

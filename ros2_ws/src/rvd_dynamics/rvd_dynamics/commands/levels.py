@@ -7,14 +7,17 @@ Source  Zhang, Li, Tang 2014, Table 2 (accelerations). The paper does not say ho
         becomes a level; here it is the nearest one, with thresholds half-way between levels.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from math import isnan
 from struct import Struct
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rvd_dynamics.commands.layouts import LAYOUTS
 from rvd_dynamics.diagram.params import param, require, settings
 
 HIGHEST = 3                             # levels run from -HIGHEST to HIGHEST
@@ -22,6 +25,7 @@ LEVELS = range(-HIGHEST, HIGHEST + 1)
 AXES = np.arange(3, dtype=np.int8)
 NEUTRAL = np.zeros(3, dtype=np.int8)
 NEUTRAL.flags.writeable = False
+ROUNDING = 1e-6                         # a float32 at full deflection may be 1.0000001
 
 
 @settings
@@ -38,8 +42,15 @@ class ThrustParams:
 
 @settings
 class StickParams:
-    """How a `sensor_msgs/Joy` becomes levels; the defaults are those of the `joy` ecosystem."""
+    """
+    How a `sensor_msgs/Joy` becomes levels; the defaults are those of the `joy` ecosystem.
 
+    A key that a scenario gives counts before what its `layout` says.
+    """
+
+    layout: str = param(
+        'xbox', 'Pad or stick whose axes and dead-man button are the defaults of the keys below.',
+        choices=LAYOUTS)
     axis_x: int = param(1, 'Index of the axis that commands x.', low=0, high=63)
     axis_y: int = param(0, 'Index of the axis that commands y.', low=0, high=63)
     axis_z: int = param(4, 'Index of the axis that commands z.', low=0, high=63)
@@ -51,6 +62,11 @@ class StickParams:
         'deflection.', low=0.0, below=1.0)
     deadman_button: int = param(
         4, 'Index of the button that must be held, where -1 means none.', low=-1, high=63)
+
+    @staticmethod
+    def preset(given: Mapping[str, Any]) -> Mapping[str, Any]:
+        """Return the values of the keys that are not given, where the layout names them."""
+        return LAYOUTS.get(given.get('layout', 'xbox'), {})
 
     def __post_init__(self) -> None:
         require(len({self.axis_x, self.axis_y, self.axis_z}) == 3, 'axis_x, axis_y, axis_z',
@@ -160,21 +176,41 @@ def stick_axes(deflection: Sequence[float], held: bool, stick: StickParams
     return axes, buttons
 
 
+def stick_fault(axes: Sequence[float], buttons: Sequence[int], stick: StickParams) -> str:
+    """
+    Return in a few words why one `sensor_msgs/Joy` is invalid; nothing if it is valid.
+
+    Only the axes and the button that `stick` names count: triggers rest at 1, and drivers send NaN
+    or more than 1 on axes that nobody uses. The words name no reading, so that a stick that
+    stays at fault is said once.
+    """
+    for name, axis in (('x', stick.axis_x), ('y', stick.axis_y), ('z', stick.axis_z)):
+        if axis >= len(axes):
+            return (f'axis {axis} ({name}) is not there: Joy has {len(axes)} axes' if len(axes)
+                    else 'Joy has no axes')
+        if isnan(axes[axis]):
+            return f'axis {axis} ({name}) is not a number'
+        if not abs(axes[axis]) <= 1.0 + ROUNDING:
+            return f'axis {axis} ({name}) is beyond -1 to 1'
+    deadman = stick.deadman_button
+    if deadman >= len(buttons):
+        return f'dead-man button {deadman} is not there: Joy has {len(buttons)} buttons'
+    if deadman >= 0 and buttons[deadman] != 1:
+        return f'dead-man button {deadman} is not held'
+    return ''
+
+
 def stick_levels(axes: Sequence[float], buttons: Sequence[int],
                  stick: StickParams) -> tuple[NDArray[np.int8], bool]:
     """
     Return the levels (3,) of one `sensor_msgs/Joy` and whether the message is valid.
 
-    The whole message is invalid, and its levels are 0, if any axis is NaN or beyond -1 .. 1,
-    if an axis or button that `stick` names is missing, or if the dead-man button is open.
+    One that `stick_fault` finds fault with is invalid as a whole, and its levels are 0.
     """
-    wanted = (stick.axis_x, stick.axis_y, stick.axis_z)
-    if len(axes) <= max(wanted) or not all(-1.0 <= a <= 1.0 for a in axes):
+    if stick_fault(axes, buttons, stick):
         return NEUTRAL.copy(), False
-    deadman = stick.deadman_button
-    if deadman >= 0 and (len(buttons) <= deadman or buttons[deadman] != 1):
-        return NEUTRAL.copy(), False
-    levels = level_of_deflection([axes[i] for i in wanted], stick.dead_zone)
+    wanted = [axes[i] for i in (stick.axis_x, stick.axis_y, stick.axis_z)]
+    levels = level_of_deflection(np.clip(wanted, -1.0, 1.0), stick.dead_zone)
     return levels * np.array((stick.sign_x, stick.sign_y, stick.sign_z), dtype=np.int8), True
 
 

@@ -303,7 +303,8 @@ def build(cls: type, values: dict[str, Any], prefix: str = '', label: str = '') 
     """
     Make a settings object from dotted keys; missing keys keep their defaults.
 
-    `label` stands before the keys in what is said about them.
+    `label` stands before the keys in what is said about them. A class with a static method
+    `preset(given)` has other defaults, which depend on the values given.
 
     Raises
     ------
@@ -319,6 +320,8 @@ def build(cls: type, values: dict[str, Any], prefix: str = '', label: str = '') 
             made[f.name] = build(f.default_factory, values, key + '.', label)
         elif key in values:
             made[f.name] = coerce(label + key, values[key], default_of(f))
+    if hasattr(cls, 'preset'):
+        made = {**cls.preset(made), **made}
     try:
         return cls(**made)
     except Impossible as error:

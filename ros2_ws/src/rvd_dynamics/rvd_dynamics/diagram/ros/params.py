@@ -28,6 +28,8 @@ def declare(node: Node, cls: type, prefix: str = '') -> Any:
     values = {}
     for key, field in leaves(cls):
         default = default_of(field)
+        if hasattr(cls, 'preset'):              # its first parameters decide about the others
+            default = cls.preset(values).get(key, default)
         if isinstance(default, tuple):
             default = list(default)
         try:
