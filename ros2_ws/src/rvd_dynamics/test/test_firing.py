@@ -328,9 +328,15 @@ def clock(monkeypatch):
 
 
 @pytest.fixture
-def stick():
-    return HeldInput(held(WANTED), SimpleNamespace(missing=lambda k: f'nobody at {k}',
-                                                   decode=lambda k, message: (k, message)))
+def said():
+    return []
+
+
+@pytest.fixture
+def stick(said):
+    return HeldInput(held(WANTED), SimpleNamespace(
+        missing=lambda k: f'nobody at {k}', decode=lambda k, message: (k, message),
+        fault=lambda message: message if 'bad' in message else ''), said.append)
 
 
 def test_nobody_has_touched_it(clock, stick):
@@ -347,3 +353,22 @@ def test_the_newest_counts_until_it_is_too_old(clock, stick):
     assert stick.value(8) == 'nobody at 8'
     stick.keep('third')
     assert stick.value(9) == (9, 'third')
+
+
+def test_each_change_of_what_is_wrong_is_said_once(clock, stick, said):
+    for message in (None, None, 'good', 'good', 'bad axis', 'bad axis', 'bad button', 'good'):
+        if message:
+            stick.keep(message)
+        stick.value(0)
+        stick.value(1)
+    clock[0] += HELD_FOR_S + 0.01
+    stick.value(2)
+    stick.value(3)
+    assert said == ['no message yet', '', 'bad axis', 'bad button', '',
+                    'the newest message is older than 0.5 s']
+
+
+def test_a_stick_that_is_good_from_the_start_is_not_talked_about(clock, stick, said):
+    stick.keep('good')
+    stick.value(0)
+    assert said == []

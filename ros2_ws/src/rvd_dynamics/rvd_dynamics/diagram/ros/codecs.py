@@ -17,7 +17,8 @@ from sensor_msgs.msg import Joy
 
 from rvd_dynamics.commands import codes
 from rvd_dynamics.commands.form import CommandForm
-from rvd_dynamics.commands.levels import HIGHEST, stick_axes, stick_levels, StickParams
+from rvd_dynamics.commands.levels import (
+    HIGHEST, stick_axes, stick_fault, stick_levels, StickParams)
 from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.diagram.ros.conversions import header_at, NAN, state_from_msg
 from rvd_dynamics.diagram.ros.wire import Layout
@@ -84,6 +85,10 @@ class Codec:
     def missing(self, k: int) -> Any:
         """Return what a reader gets when no message came in time."""
         return self.initial
+
+    def fault(self, message: Any) -> str:
+        """Return why what a message of a held input says does not count; nothing if it does."""
+        return ''
 
 
 class Parts(Codec):
@@ -238,6 +243,10 @@ class Stick(Codec):
         """Return the value in a message."""
         levels, valid = stick_levels(message.axes, message.buttons, self._stick)
         return self.signal(command=levels, valid=np.bool_(valid))
+
+    def fault(self, message: Joy) -> str:
+        """Return why a stick is nobody's; nothing if somebody holds it."""
+        return stick_fault(message.axes, message.buttons, self._stick)
 
 
 @lru_cache(maxsize=16)

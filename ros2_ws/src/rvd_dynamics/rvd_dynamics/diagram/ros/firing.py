@@ -96,8 +96,24 @@ class FiringNode(RunNode):
         self.watch(read.signal.name, kind, came, group=group)
 
     def _hold(self, name: str, read: Read, codec: Any) -> None:
-        held = self._held[name] = HeldInput(read, codec)
+        readers = [block.name for block in self.roster.diagram.order
+                   if any(r.held and r.signal.name == read.signal.name
+                          for r in block.reads.values())]
+        speaks = readers[-1] == self.block.name             # once, whoever else reads it
+        held = self._held[name] = HeldInput(
+            read, codec, *([self._speaker(read.signal.name)] if speaks else []))
         self.watch(read.signal.name, message_type(read.signal.message), held.keep)
+
+    def _speaker(self, topic: str) -> Any:
+        """Return what says, as an event and in /diagnostics, that a held input is lost or back."""
+        def said(why: str) -> None:
+            if why:
+                self.trouble[topic] = f'{topic} does not count: {why}'
+                self.event('STICK_LOST', self.trouble[topic])
+            else:
+                del self.trouble[topic]
+                self.event('STICK', f'{topic} counts')
+        return said
 
     def listen(self, topic: str, kind: type, heard: Any) -> None:
         """Hear what the run says about itself, by hand where it is said in this process."""

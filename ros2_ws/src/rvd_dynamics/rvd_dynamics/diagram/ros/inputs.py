@@ -1,7 +1,7 @@
 """Inputs of a node: what has come of each, and what a firing gets of it."""
 
 import time
-from typing import Any
+from typing import Any, Callable
 
 from rclpy.callback_groups import CallbackGroup
 
@@ -79,10 +79,17 @@ class Input:
 
 
 class HeldInput:
-    """The newest message of a writer that sends when it likes, by the wall clock."""
+    """
+    The newest message of a writer that sends when it likes, by the wall clock.
 
-    def __init__(self, read: Read, codec: Any) -> None:
+    `said(why)` is called when the input gets lost, or lost for another reason, and with '' when
+    it is back: once for each change. The first reading of a good input is no change.
+    """
+
+    def __init__(self, read: Read, codec: Any, said: Callable[[str], None] = lambda why: None
+                 ) -> None:
         self.codec = codec
+        self._said, self._why = said, ''
         self._newest: tuple[float, Any] | None = None
 
     def keep(self, message: Any) -> None:
@@ -91,6 +98,14 @@ class HeldInput:
 
     def value(self, k: int) -> Any:
         """Return what the newest message says; what is missing when it is too old."""
-        if self._newest is None or time.monotonic() - self._newest[0] > HELD_FOR_S:
-            return self.codec.missing(k)
-        return self.codec.decode(k, self._newest[1])
+        if self._newest is None:
+            found, why = self.codec.missing(k), 'no message yet'
+        elif time.monotonic() - self._newest[0] > HELD_FOR_S:
+            found, why = self.codec.missing(k), f'the newest message is older than {HELD_FOR_S:g} s'
+        else:
+            message = self._newest[1]
+            found, why = self.codec.decode(k, message), self.codec.fault(message)
+        if why != self._why:
+            self._why = why
+            self._said(why)
+        return found

@@ -67,7 +67,7 @@ class RunNode(Node):
     # -- endpoints ------------------------------------------------------------------------
 
     def quality(self, topic: str) -> QoSProfile:
-        """Return the quality of service of a topic of this run."""
+        """Return the quality of service that the writer of a topic of this run offers."""
         return qos.of(topic, self.held)
 
     def watch(self, topic: str, kind: type, callback: Callable, raw: bool = False,
@@ -81,7 +81,7 @@ class RunNode(Node):
         events = SubscriptionEventCallbacks(use_default_callbacks=False) if self.lean else None
         subscription = self.create_subscription(
             kind, topic, self._resting(guarded) if rests else call,
-            profile or self.quality(topic), raw=raw, callback_group=group,
+            profile or qos.taken(topic, self.held), raw=raw, callback_group=group,
             event_callbacks=events)
         self.subscriptions_of[topic] = subscription
         return subscription

@@ -21,12 +21,14 @@ LATCHED = _profile(1, DurabilityPolicy.TRANSIENT_LOCAL)
 EVENTS = _profile(100, DurabilityPolicy.TRANSIENT_LOCAL)
 CLOCK = _profile(10, DurabilityPolicy.VOLATILE)
 HELD_STICK = _profile(1, DurabilityPolicy.VOLATILE)     # what a standard joy node offers
+TAKEN_STICK = QoSProfile(       # takes reliable and best-effort drivers; only the newest counts
+    depth=1, reliability=ReliabilityPolicy.BEST_EFFORT, durability=DurabilityPolicy.VOLATILE)
 DIAGNOSTICS = _profile(10, DurabilityPolicy.VOLATILE)
 VIEW = _profile(1, DurabilityPolicy.VOLATILE)
 
 
 def of(topic: str, held: bool = False) -> QoSProfile:
-    """Return the profile that writer and readers of `topic` use; `held`: of a held stick."""
+    """Return the profile that the writer of `topic` uses; `held`: of a held stick."""
     if topic == '/clock':
         return CLOCK
     if topic == '/diagnostics':
@@ -40,3 +42,8 @@ def of(topic: str, held: bool = False) -> QoSProfile:
     if topic.startswith('/run/'):
         return LATCHED
     return VIEW if topic.startswith('/viz/') else RING
+
+
+def taken(topic: str, held: bool = False) -> QoSProfile:
+    """Return the profile that readers of `topic` use; a held stick's writer may be anybody's."""
+    return TAKEN_STICK if topic == '/joy' and held else of(topic, held)

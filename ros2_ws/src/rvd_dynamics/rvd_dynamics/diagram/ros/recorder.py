@@ -77,7 +77,7 @@ class BagRecorder(RunNode):
         # The executor looks in the order of creation: the scenario before what came with it.
         for topic, kind in sorted(self.roster.topics.items(), key=lambda i: i[0] != SCENARIO):
             if topic not in NOT_RECORDED:
-                self._record(topic, kind, self.quality(topic))
+                self._record(topic, kind, self.quality(topic), qos.taken(topic, self.held))
         self._bag.describe()
         self.create_timer(LOOK_PERIOD_S, self.guarded(self._look_for_topics))
 
@@ -91,7 +91,8 @@ class BagRecorder(RunNode):
 
     # -- topics ---------------------------------------------------------------------------
 
-    def _record(self, topic: str, kind: str, offered: QoSProfile) -> None:
+    def _record(self, topic: str, kind: str, offered: QoSProfile,
+                taken: QoSProfile | None = None) -> None:
         reliable = offered.reliability == ReliabilityPolicy.RELIABLE
         latched = offered.durability == DurabilityPolicy.TRANSIENT_LOCAL
         self._bag.add_topic(topic, kind, qos_words(offered.depth, reliable, latched))
@@ -100,8 +101,9 @@ class BagRecorder(RunNode):
         if topic not in COMMON and self.host.is_local(topic):
             self.host.keep(topic, self.guarded(store))
             return
-        deep = QoSProfile(depth=qos.DEPTH, reliability=offered.reliability,
-                          durability=offered.durability)
+        taken = taken or offered
+        deep = QoSProfile(depth=qos.DEPTH, reliability=taken.reliability,
+                          durability=taken.durability)
         read_step = step_reader(kind, self.run.step_ns)
 
         def came(data: bytes, info: dict) -> None:
