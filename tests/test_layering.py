@@ -18,10 +18,12 @@ ORDER = ['rvd_interfaces', 'rvd_dynamics', 'rvd_groundstation', 'rvd_missions', 
 ROS = {'rclpy', 'rvd_interfaces', 'ament_index_python', 'builtin_interfaces', 'rcl_interfaces',
        'rosidl_runtime_py', 'rpyutils'}
 
-# Who may import ROS: the runtime of a diagram, the console's node, the command that follows a
-# flight, the benchmark, and the recorder's look-up of installed message definitions.
-MAY_IMPORT_ROS = ['rvd_dynamics.diagram.ros', 'rvd_groundstation.console.node', 'rvd_campaign.flight',
-                  'rvd_campaign.bench', 'rvd_dynamics.recording.definitions']
+# Who may import ROS: the runtime of a diagram, the nodes of the console and of the joystick, the
+# command that follows a flight, the benchmark, and the recorder's look-up of installed message
+# definitions.
+MAY_IMPORT_ROS = ['rvd_dynamics.diagram.ros', 'rvd_groundstation.console.node',
+                  'rvd_groundstation.joystick.node', 'rvd_campaign.flight', 'rvd_campaign.bench',
+                  'rvd_dynamics.recording.definitions']
 WORLD = ['rvd_dynamics.world']
 ONBOARD = ['rvd_dynamics.onboard']
 # What the ground may use of rvd_dynamics: mathematics and vocabulary of both sides. The craft, the
@@ -32,8 +34,8 @@ SHARED = [f'rvd_dynamics.{top}' for top in (
 NOT_GROUND = [*WORLD, *ONBOARD, *(f'rvd_dynamics.link.{part}' for part in (
     'models', 'plan', 'play_out', 'channel', 'leg'))]
 RUNTIME = ['rvd_dynamics.diagram.ros']          # runs blocks of any segment
-# The console's server deals with pages, which live by the wall clock; so do files.
-NO_MATHEMATICS = ['rvd_groundstation.console', 'rvd_dynamics.recording', *MAY_IMPORT_ROS]
+# The console's server deals with pages, which live by the wall clock; so do files and devices.
+NO_MATHEMATICS = ['rvd_groundstation.console', 'rvd_groundstation.joystick', 'rvd_dynamics.recording', *MAY_IMPORT_ROS]
 STREAMS = ['rvd_dynamics.diagram.streams', 'rvd_dynamics.diagram.seeding']
 
 

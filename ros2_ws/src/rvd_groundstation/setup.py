@@ -29,5 +29,6 @@ setup(
     license='Apache-2.0',
     entry_points={'console_scripts': [
         *(f'{node} = rvd_dynamics.diagram.ros.main:main' for node in NODES),
-        f'console = {NAME}.console.main:main']},
+        f'console = {NAME}.console.main:main',
+        f'joystick = {NAME}.joystick.node:main']},
 )

@@ -101,6 +101,19 @@ def test_a_law_that_uses_the_stick_gets_it_as_the_blender_does(operator, joy_inp
     assert '/joy' not in blind.reads('auto_controller')
 
 
+@pytest.mark.parametrize('driver, process, foreign', [
+    ('joystick', 'joystick', False), ('joy_node', 'joy_node', True), ('external', None, True)])
+def test_the_driver_of_a_held_stick_is_ours_or_foreign_or_started_by_somebody_else(
+        driver, process, foreign):
+    roster = listed(parse(f"""
+/**: {{ros__parameters: {{pace: realtime, operator: joy, joy_input: held, joy_driver: {driver}}}}}
+""", 'played'), headless=True)
+    [external] = roster.diagram.externals
+    assert external.foreign == foreign and roster.process_of.get(external.name) == process
+    assert roster.expected('/joy') == (1, 2)        # the blender and the recorder wait for a writer
+    assert roster.expected('/run/end')[1] == len(roster.processes) - 1 - (driver == 'joy_node')
+
+
 def test_a_console_may_watch_any_run_and_holds_the_stick_where_it_is_the_operator(run):
     roster = listed(scenario(*run), headless=True, console=True)
     assert roster.names.count('console') == 1 and roster.process_of['console'] == 'console'
@@ -114,8 +127,9 @@ def test_a_console_may_watch_any_run_and_holds_the_stick_where_it_is_the_operato
 def test_every_node_has_one_process_and_externals_have_their_own(run):
     roster = whole(run)
     held = [node for process in roster.processes for node in process.nodes]
-    assert sorted(held) == sorted(roster.names)
-    externals = [external.name for external in roster.diagram.externals]
+    unstarted = {e.name for e in roster.diagram.externals if not e.started}
+    assert sorted(held) == sorted(set(roster.names) - unstarted)
+    externals = [external.name for external in roster.diagram.externals if external.started]
     for name in externals:
         assert roster.process_of[name] == name
     groups = [p for p in roster.processes if p.name not in externals]

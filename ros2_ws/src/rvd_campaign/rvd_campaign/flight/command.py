@@ -23,6 +23,7 @@ def main(args: argparse.Namespace) -> int:
         raise CannotRun('--condition, --run and --in-process go with --from DIR')
     scenario = again.chosen(args) if again else fly.chosen(args)
     scenario.diagram                            # refused, if it must be, before there is a folder
+    fly.check_foreign(scenario)
     if 'console' in (args.operator, fly.operator_of(scenario)):
         from rvd_campaign.flight import console
         return console.main(args, scenario)

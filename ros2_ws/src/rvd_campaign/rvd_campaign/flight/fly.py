@@ -69,6 +69,18 @@ def operator_of(scenario: Scenario) -> str:
     return scenario.part('operation').operator if scenario.has_shared('operator') else ''
 
 
+def check_foreign(scenario: Scenario) -> None:
+    """Refuse a run that is to start a node of somebody else's package that is not installed."""
+    prefixes = os.environ.get('AMENT_PREFIX_PATH', '').split(os.pathsep)
+    for node in scenario.diagram.externals:
+        if node.foreign and node.started and not any(
+                os.access(Path(prefix, 'lib', node.package, node.executable), os.X_OK)
+                for prefix in prefixes):
+            raise CannotRun(f'the ROS package {node.package} with {node.executable} is not installed '
+                            f'(sudo apt-get install ros-jazzy-{node.package.replace("_", "-")}); '
+                            'our own driver needs nothing: joy_driver: joystick')
+
+
 def introduced(scenario: Scenario) -> str:
     """Return in a few words what is about to be flown."""
     words = [f'{scenario.name}: mission {scenario.mission.name}']
@@ -118,7 +130,7 @@ class Flight:
         self._scenario = scenario
         self._run = scenario.run
         self._roster = listed(scenario, headless, console)
-        self._run_dir = run_dir
+        self._run_dir, self._domain = run_dir, domain
         self._headless = headless
         self._stop_asked = stop_asked
         self._supervisor = Supervisor(
@@ -183,7 +195,14 @@ class Flight:
                 return self._supervisor.complaint() or 'the run ended without a verdict'
             now = time.monotonic()
             if not self._watch.steps and now - begun > START_S:
-                waiting = sorted(set(self._roster.names) - self._watch.ready)
+                foreign = [e for e in self._roster.diagram.externals if e.foreign]
+                silent = [topic for e in foreign for topic in e.writes
+                          if not self._watch.is_written(topic)]
+                if silent:
+                    return (f'the graph did not come up in {START_S:g} s: nobody publishes '
+                            f'{", ".join(silent)} with ROS_DOMAIN_ID={self._domain}: start its driver')
+                waiting = sorted(set(self._roster.names) - self._watch.ready
+                                 - {e.name for e in foreign})
                 return (f'the graph did not come up in {START_S:g} s: not ready: '
                         f'{", ".join(waiting) or self._roster.diagram.plant}')
             if self._stalled(now):

@@ -90,6 +90,10 @@ class FlightWatch:
             # the first topic that is always ready starves the rest.
             self._executor.spin_once(timeout_sec=GLANCE_S)
 
+    def is_written(self, topic: str) -> bool:
+        """Say whether any node publishes a topic."""
+        return self._node.count_publishers(topic) > 0
+
     def newest(self, topic: str | None) -> Any:
         """Return the newest message of a shown topic, decoded; None before the first."""
         data = self._raw.get(topic)

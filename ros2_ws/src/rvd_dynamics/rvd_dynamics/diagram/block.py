@@ -135,7 +135,12 @@ class Leg(Block):
 
 @dataclass(frozen=True)
 class External:
-    """A node that is not a block: a console, a foreign stick, a viewer. Never grouped."""
+    """
+    A node that is not a block: a console, a stick's driver, a viewer. Never grouped.
+
+    A foreign one is not ours: it says nothing on /run/ready, and who reads it waits for its topics
+    alone. With `started` false it is not the run's to start: somebody else does.
+    """
 
     name: str
     package: str
@@ -143,4 +148,6 @@ class External:
     segment: str
     reads: tuple[str, ...] = ()         # topics
     writes: tuple[str, ...] = ()        # topics
-    foreign: bool = False               # not ours: it says nothing on /run/ready
+    foreign: bool = False
+    started: bool = True
+    viewer: bool = True                 # shows the run: hears pauses, events and the verdict

@@ -148,7 +148,8 @@ class Roster:
             external = self.externals[name]
             found = set(external.reads)
             if not external.foreign:
-                found |= {'/run/end', '/run/pause', '/run/events', '/run/verdict'}
+                found.add('/run/end')
+                found |= {'/run/pause', '/run/events', '/run/verdict'} if external.viewer else set()
         return frozenset(found) - self.writes(name)
 
     def follows_clock(self, name: str) -> bool:
@@ -180,7 +181,7 @@ class Roster:
             found = [Process(name, 'rvd_dynamics', GROUP_EXECUTABLE, nodes, True)
                      for name, nodes in groups.items() if nodes]
         found += [Process(n, self.externals[n].package, self.externals[n].executable, (n,), False)
-                  for n in self.names if n in self.externals]
+                  for n in self.names if n in self.externals and self.externals[n].started]
         return tuple(found)
 
     @cached_property
@@ -195,7 +196,7 @@ class Roster:
         Within a process signals pass by hand, and a process subscribes once to a topic.
         """
         writers = [n for n in self.names if topic in self.writes(n)]
-        homes = {self.process_of[n] for n in writers}
+        homes = {self.process_of.get(n, n) for n in writers}       # a foreign one may be anywhere
         readers = {self.process_of[n] for n in self.names if topic in self.reads(n)}
         return len(writers), len(readers - homes)
 

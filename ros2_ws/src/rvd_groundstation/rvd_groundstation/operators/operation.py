@@ -8,6 +8,7 @@ from rvd_dynamics.diagram.run import Run
 MODES = ('manual', 'shared', 'auto')
 OPERATORS = ('model', 'replay', 'console', 'joy', 'none')
 JOY_INPUTS = ('stepped', 'held')
+JOY_DRIVERS = ('joystick', 'joy_node', 'external')
 
 
 @settings
@@ -23,6 +24,10 @@ class Operation:
     joy_input: str = param(
         'stepped', 'How the stick is read: stepped takes one Joy for each step, held the newest '
         'Joy of the last half second.', choices=JOY_INPUTS)
+    joy_driver: str = param(
+        'joystick', 'Who publishes a held stick of operator joy: joystick is our own driver, joy_node '
+        'that of the ROS package joy, external a node that somebody else starts.',
+        choices=JOY_DRIVERS)
 
     @property
     def stepped(self) -> bool:

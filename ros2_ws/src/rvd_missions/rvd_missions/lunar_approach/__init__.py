@@ -31,6 +31,7 @@ MISSION = Mission(
         'auto_controller': 'rvd_groundstation.settings:ControllerParams',
         'command_blender': 'rvd_groundstation.settings:BlenderParams',
         'operator_model': 'rvd_groundstation.operators.pilot:PilotParams',
+        'joystick': 'rvd_groundstation.joystick.params:JoystickParams',
         'joystick_replay': 'rvd_groundstation.settings:ReplayParams',
     },
     parts={

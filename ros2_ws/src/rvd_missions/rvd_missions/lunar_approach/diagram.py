@@ -29,7 +29,13 @@ from rvd_missions.lunar_approach.signals import (
 CONSOLE = External('console', 'rvd_groundstation', 'console', GROUND, writes=(STICK.name,), reads=(
     TELEMETRY.name, signals.ESTIMATE.name, signals.PREDICTION.name, SCORE.name, signals.AUTO.name,
     COMMAND.name, status('link_back').name))
-JOY_NODE = External('joy_node', 'joy', 'joy_node', GROUND, writes=(STICK.name,), foreign=True)
+DRIVERS = {                             # by `joy_driver`
+    'joystick': External('joystick', 'rvd_groundstation', 'joystick', GROUND, reads=('/clock',),
+                         writes=(STICK.name,), viewer=False),
+    'joy_node': External('joy_node', 'joy', 'joy_node', GROUND, writes=(STICK.name,), foreign=True),
+    'external': External('external_stick', '', '', GROUND, writes=(STICK.name,), foreign=True,
+                         started=False),
+}
 
 
 def diagram(scenario: Scenario) -> Diagram:
@@ -41,8 +47,9 @@ def diagram(scenario: Scenario) -> Diagram:
               leg(scenario, 'link_back', DOWNLINK, TELEMETRY, legs.back),
               leg(scenario, 'link_forward', UPLINK, ARRIVAL, legs.forward),
               *_ground(scenario, legs, estimate, prediction), _columns(scenario)]
-    operator = scenario.part('operation').operator
-    externals = {'console': (CONSOLE,), 'joy': (JOY_NODE,)}.get(operator, ())
+    operation = scenario.part('operation')
+    driver = DRIVERS['external' if operation.stepped else operation.joy_driver]
+    externals = {'console': (CONSOLE,), 'joy': (driver,)}.get(operation.operator, ())
     return Diagram(tuple(blocks), 'spacecraft_dynamics', 'onboard_guard', THRUST.name, externals)
 
 
