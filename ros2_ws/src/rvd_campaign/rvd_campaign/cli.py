@@ -43,6 +43,7 @@ def parser() -> argparse.ArgumentParser:
     _add_campaign(commands)
     _add_calibrate(commands)
     _add_list(commands)
+    _add_stick(commands)
     _add_bench(commands)
     return top
 
@@ -157,6 +158,26 @@ def _add_list(commands: argparse._SubParsersAction) -> None:
     listing.set_defaults(run=_list)
 
 
+def _add_stick(commands: argparse._SubParsersAction) -> None:
+    stick = commands.add_parser(
+        'stick', help='show a live stick, set it up and write its settings',
+        description='Show the axes and buttons of a stick and the levels that they command, or why '
+                    'they do not count; with --set-up ask for the axes and the dead-man button.')
+    stick.add_argument('scenario', nargs='?', default='paper', metavar='SCENARIO',
+                       help='whose stick settings are used (default: paper)')
+    stick.add_argument('--layout', metavar='NAME', help='use a layout instead: xbox, ps4, ps5 ...')
+    stick.add_argument('--set-up', action='store_true',
+                       help='ask for x+, y+, z+ and the dead-man, and print the settings')
+    stick.add_argument('--write', metavar='FILE',
+                       help='write the settings as a scenario, which must not exist yet')
+    stick.add_argument('--topic', metavar='TOPIC',
+                       help='look at what another node publishes, such as /joy')
+    stick.add_argument('--device-id', type=int, metavar='N', help='number of the stick')
+    stick.add_argument('--device-name', metavar='NAME', help='name of the stick')
+    stick.add_argument('--once', action='store_true', help='one picture, then end')
+    stick.set_defaults(run=_stick)
+
+
 def _add_bench(commands: argparse._SubParsersAction) -> None:
     bench = commands.add_parser(
         'bench', help='measure the speed on this machine',
@@ -211,6 +232,11 @@ def _list(args: argparse.Namespace) -> int:
     for name, meaning in catalogue.entries(args.what):
         print(f'{name:<18} {meaning}')
     return EXIT_DONE
+
+
+def _stick(args: argparse.Namespace) -> int:
+    from rvd_campaign.flight import stick
+    return stick.main(args)
 
 
 def _bench(args: argparse.Namespace) -> int:

@@ -269,7 +269,9 @@ class Flight:
         """
         _load_the_report()
         deadline = time.monotonic() + END_S
+        foreign = {e.name for e in self._roster.diagram.externals if e.foreign}
         while not self._supervisor.ended and time.monotonic() < deadline:
+            self._supervisor.end_if_left(foreign)
             deadline += self._look(SHOW_S)
         late = sorted(set(self._supervisor.pids) - set(self._supervisor.codes))
         if late:

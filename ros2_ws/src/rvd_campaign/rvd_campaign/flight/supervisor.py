@@ -30,6 +30,7 @@ class Supervisor:
         self.run_dir = run_dir
         self.pids: dict[str, int] = {}
         self.codes: dict[str, int] = {}
+        self._ended_by_us: set[str] = set()
         command = [str(bringup), str(scenario), str(run_dir)] + ['--headless'] * headless
         self._process = subprocess.Popen(
             command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
@@ -74,7 +75,16 @@ class Supervisor:
     def failures(self) -> dict[str, int]:
         """Return the nodes that ended with an error, with their codes."""
         self.poll()
-        return {name: code for name, code in self.codes.items() if code != 0}
+        return {name: code for name, code in self.codes.items()
+                if code != 0 and name not in self._ended_by_us}
+
+    def end_if_left(self, names: set[str]) -> None:
+        """End these nodes, which know nothing of the run's end, once no other one is left."""
+        self.poll()
+        left = set(self.pids) - set(self.codes)
+        if left and left <= names:
+            self._end([self.pids[name] for name in left], STOP_S)
+            self._ended_by_us |= left
 
     def complaint(self) -> str:
         """Return what the bring-up itself wrote to stderr."""
