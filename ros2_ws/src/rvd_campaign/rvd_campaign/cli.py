@@ -68,6 +68,8 @@ def _add_fly(commands: argparse._SubParsersAction) -> None:
                           'one can be watched by console')
     fly.add_argument('--tape', metavar='FILE',
                      help='with --operator replay: name from `rvd list tapes`, CSV file or bag')
+    fly.add_argument('--tape-topic', metavar='TOPIC',
+                     help='with --tape BAG: the topic of sensor_msgs/Joy to replay (default: /joy)')
     fly.add_argument('--pace', metavar='lockstep|realtime|FACTOR',
                      help='lockstep: as fast as possible; realtime; or FACTOR times real time '
                           '(default: 10, or realtime for a person at a stick)')

@@ -1,6 +1,8 @@
 """A recorded run as arrays: what was published, also from a bag that was cut off."""
 
 from dataclasses import fields
+import subprocess
+import sys
 
 import numpy as np
 from numpy.testing import assert_allclose, assert_array_equal
@@ -285,3 +287,16 @@ def test_a_scenario_of_another_version_is_read_as_far_as_it_is_known():
     assert (scenario.run.step_s, scenario.part('legs').forward,
             scenario.part('cone').half_angle_deg) == (0.1, 20, 4)
     assert trouble == 'this version does not know /**: of_tomorrow, next_node'
+
+
+@pytest.mark.parametrize('mode', [None, 'file', 'message'])
+def test_a_bag_converted_to_sqlite_is_the_same_recording(run, recording, mode, tmp_path):
+    converter = [sys.executable, '-m', 'rosbags.convert', '--src', run / 'bag', '--dst',
+                 tmp_path / 'bag', '--dst-storage', 'sqlite3']
+    packed = ['--compress', 'zstd', '--compress-mode', mode] if mode else []
+    subprocess.run(converter + packed, check=True)
+    found = read(tmp_path)
+    assert found.counts == recording.counts and found.complete
+    assert found.scenario_text == recording.scenario_text and found.last_step == LAST
+    for topic in recording.series:
+        assert repr(found.of(topic)) == repr(recording.of(topic))

@@ -17,4 +17,6 @@ class ReplayParams:
     """Settings of `joystick_replay`."""
 
     tape: str = param(
-        '', 'Tape to replay: a CSV file, an .mcap file or a rosbag2 folder that holds /joy.')
+        '', 'Tape to replay: a CSV file, a rosbag2 folder or one file of it (.mcap or .db3, also '
+        'with .zstd).')
+    tape_topic: str = param('/joy', 'Topic of the bag to replay, of sensor_msgs/msg/Joy.')

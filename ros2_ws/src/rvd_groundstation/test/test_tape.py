@@ -1,10 +1,16 @@
 """Tapes: what plays when, and that a bad one is refused with its line."""
 
 from io import BytesIO
+from pathlib import Path
+import sqlite3
+import subprocess
 
 from mcap.writer import CompressionType, Writer
 from mcap_ros2.writer import Writer as RosWriter
+import numpy as np
 import pytest
+from rosbags.rosbag2 import CompressionFormat, CompressionMode, StoragePlugin, Writer as Bag
+from rosbags.typesys import get_typestore, Stores
 
 from rvd_dynamics.commands.levels import stick_levels, StickParams
 from rvd_groundstation.operators.tape import read_tape
@@ -104,8 +110,8 @@ def test_stamps_are_exact_on_a_fine_grid(tmp_path):
     ('t_s,axis_0\n0,0\n-1,0\n', 3, 'time must rise, got -1 s after 0 s'),
     ('t_s,axis_0\n0,nan\n', 2, 'axis_0 must be finite, got nan'),
     ('t_s,axis_0\n0,inf\n', 2, 'axis_0 must be finite, got inf'),
-    ('t_s,axis_0\nnan,0\n', 2, 't_s must be within 1e+06, got nan'),
-    ('t_s,axis_0\n1e300,0\n', 2, 't_s must be within 1e+06, got 1e300'),
+    ('t_s,axis_0\nnan,0\n', 2, 't_s must be within 9e+09 s, got nan'),
+    ('t_s,axis_0\n1e300,0\n', 2, 't_s must be within 9e+09 s, got 1e300'),
     ('t_s,axis_0,button_0\n0,0\n', 2, '3 columns expected, got 2'),
     ('t_s,axis_0\n0,0,0\n', 2, '2 columns expected, got 3'),
     ('t_s,axis_0\n0,left\n', 2, "axis_0 must be a number, got 'left'"),
@@ -133,7 +139,7 @@ def test_empty_csv_is_refused(tmp_path, text, complaint):
 def test_missing_or_unreadable_tapes_are_refused_by_name(tmp_path):
     with pytest.raises(ValueError, match='none.csv: cannot read the tape: No such file'):
         read_tape(tmp_path / 'none.csv')
-    with pytest.raises(ValueError, match='holds no bag: there is no .mcap file in the folder'):
+    with pytest.raises(ValueError, match='holds no bag: there is no .mcap or .db3 file in the folder'):
         read_tape(tmp_path)
     for name, content in (('noise.csv', bytes(range(256))), ('noise.mcap', b'no mcap at all')):
         (tmp_path / name).write_bytes(content)
@@ -150,9 +156,17 @@ def test_bad_message_is_refused_with_file_and_number(tmp_path):
         read_tape(path)
 
 
-def test_bag_without_a_stick_is_refused(tmp_path):
-    with pytest.raises(ValueError, match='holds no sample'):
-        read_tape(bag(tmp_path / 'tape.mcap', SAMPLES, topic='/stick'))
+def test_bag_with_the_stick_elsewhere_says_where_and_is_played_when_told(tmp_path):
+    path = bag(tmp_path / 'tape.mcap', SAMPLES, topic='/teleop/joy')
+    with pytest.raises(ValueError, match=r'no sample on /joy; sensor_msgs/msg/Joy is on /other '
+                       r'\(3 messages\), /teleop/joy \(3 messages\): pick one with --tape-topic'):
+        read_tape(path)
+    assert read_tape(path, '/teleop/joy') == read_tape(bag(tmp_path / 'b.mcap', SAMPLES))
+
+
+def test_topic_for_a_csv_tape_is_refused(tmp_path):
+    with pytest.raises(ValueError, match=r'a topic \(/teleop/joy\) can be picked from a bag only'):
+        read_tape(csv_tape(tmp_path, CSV), '/teleop/joy')
 
 
 def test_joy_of_another_type_is_refused(tmp_path):
@@ -192,3 +206,128 @@ def test_bag_that_was_damaged_is_refused_by_name(tmp_path):
     path.write_bytes(b'\0' + whole[1:])
     with pytest.raises(ValueError, match='tape.mcap: not a readable MCAP file'):
         read_tape(path)
+
+
+# -- what other programs write -----------------------------------------------------------------
+
+SECOND = 10**9
+
+
+def ros_bag(path, samples, storage='mcap', mode=None, topic='/joy'):
+    """Write a bag (header stamp, log time, axes) as `ros2 bag record` does, all kinds of it."""
+    types = get_typestore(Stores.ROS2_JAZZY)
+    joy, header, time = (types.types[name] for name in (
+        'sensor_msgs/msg/Joy', 'std_msgs/msg/Header', 'builtin_interfaces/msg/Time'))
+    writer = Bag(path, version=9, storage_plugin=StoragePlugin[storage.upper()])
+    if mode:
+        writer.set_compression(CompressionMode[mode.upper()], CompressionFormat.ZSTD)
+    with writer:
+        connection = writer.add_connection(topic, joy.__msgtype__, typestore=types)
+        for stamp, log, axes in samples:
+            message = joy(header(time(stamp // SECOND, stamp % SECOND), 'joy'),
+                          np.array(axes, np.float32), np.array([1], np.int32))
+            writer.write(connection, log, types.serialize_cdr(message, joy.__msgtype__))
+    return path
+
+
+STAMPED = [(5 * SECOND, 7, [0.0, 0.5]), (6 * SECOND, 8, [-1.0, 0.25]), (8 * SECOND, 9, [0.5, 0.0])]
+
+
+@pytest.mark.parametrize('storage', ['mcap', 'sqlite3'])
+@pytest.mark.parametrize('mode', [None, 'message', 'file'])
+def test_storages_and_compressions_give_the_same_tape(tmp_path, storage, mode):
+    folder = ros_bag(tmp_path / 'bag', STAMPED, storage, mode)
+    folder = folder.rename(tmp_path / "a #b? it's 100 %")
+    tape = read_tape(folder)
+    assert tape.stamps_ns == (0, SECOND, 3 * SECOND)
+    assert tape.axes == ((0.0, 0.5), (-1.0, 0.25), (0.5, 0.0)) and set(tape.buttons) == {(1,)}
+    file, = (f for f in folder.iterdir() if f.name != 'metadata.yaml')
+    assert file.name.endswith('.zstd') == (mode == 'file')
+    assert read_tape(file) == tape
+    if mode == 'file':                          # the unpacked file beside it is not read twice
+        file.with_suffix('').write_bytes(subprocess.run(
+            ['python3', '-c', 'import sys, zstandard; zstandard.ZstdDecompressor().copy_stream('
+             'sys.stdin.buffer, sys.stdout.buffer)'],
+            input=file.read_bytes(), capture_output=True, check=True).stdout)
+        assert read_tape(folder) == tape
+
+
+def test_sqlite_bag_without_definitions_is_read_by_those_of_ros(tmp_path):
+    """As rosbag2 wrote them until Humble."""
+    folder = ros_bag(tmp_path / 'old', STAMPED, 'sqlite3')
+    with sqlite3.connect(folder / 'old.db3') as base:
+        base.executescript('DROP TABLE message_definitions; DROP TABLE schema;')
+    assert read_tape(folder).stamps_ns == (0, SECOND, 3 * SECOND)
+
+
+@pytest.mark.parametrize('spoil', [lambda data: b'SQLite nonsense', lambda data: data[:5000],
+                                   lambda data: b''])
+def test_spoilt_sqlite_bag_is_refused_by_name(tmp_path, spoil):
+    path = ros_bag(tmp_path / 'bag', STAMPED, 'sqlite3') / 'bag.db3'
+    path.write_bytes(spoil(path.read_bytes()))
+    with pytest.raises(ValueError, match='bag.db3: not a readable SQLite file of rosbag2: '):
+        read_tape(path)
+
+
+@pytest.mark.parametrize('stamps', [(0, 0, 0), (5 * SECOND, 5 * SECOND, 6 * SECOND),
+                                    (0, 1_700_000_000 * SECOND, 1_700_000_001 * SECOND),
+                                    (3 * SECOND, 2 * SECOND, 4 * SECOND)])
+def test_header_stamps_that_tell_no_time_give_way_to_log_times(tmp_path, stamps):
+    logs = [10**18, 10**18 + SECOND, 10**18 + 5 * SECOND // 2]
+    tape = read_tape(ros_bag(tmp_path / 'bag', [(s, t, [0.0]) for s, t in zip(stamps, logs)]))
+    assert tape.stamps_ns == (0, SECOND, 5 * SECOND // 2)
+    assert tape.note == (f'{tmp_path}/bag: header stamps of /joy are zero or repeated: the log '
+                         'times of the bag are used')
+
+
+def test_good_header_stamps_are_used_without_a_word(tmp_path):
+    assert read_tape(ros_bag(tmp_path / 'bag', STAMPED)).note == ''
+
+
+def test_bag_of_ros_1_is_refused_with_the_command_that_converts_it(tmp_path):
+    path = tmp_path / 'old stick.bag'
+    path.write_bytes(b'#ROSBAG V2.0\n')
+    with pytest.raises(ValueError, match="rosbags-convert --src '.*/old stick.bag' --dst"):
+        read_tape(path)
+
+
+DATA = Path(__file__).parent / 'tapes'          # one stick, as different programs save it
+SHIPPED = Path(__file__).resolve().parents[4] / 'tapes'
+PLAIN = 't_s,axis_0,axis_1,button_0\n0,0,0.5,1\n0.05,-1,0.25,1\n1.75,0.25,0,0\n'
+
+
+@pytest.mark.parametrize('content', [
+    b'\xef\xbb\xbf' + PLAIN.encode(),
+    b'\xef\xbb\xbf# with a remark\r\n' + PLAIN.replace('\n', '\r\n').encode(),
+    PLAIN.replace('\n', '\r').encode(),
+    PLAIN.replace('\n0,', '\n1700000000.25,').replace('\n0.05', '\n1700000000.30').replace(
+        '\n1.75', '\n1700000002.00').encode()])
+def test_marks_line_ends_and_epoch_times_do_not_change_a_tape(tmp_path, content):
+    (tmp_path / 'tape.csv').write_bytes(content)
+    assert read_tape(tmp_path / 'tape.csv') == read_tape(csv_tape(tmp_path, PLAIN))
+
+
+@pytest.mark.parametrize('content, why', [
+    (PLAIN.encode('utf-16'), 'the tape is UTF-16 or binary, .* iconv -f UTF-16 -t UTF-8'),
+    (PLAIN.encode('utf-16-be'), 'the tape is UTF-16 or binary'),
+    (PLAIN.replace(',', ';').encode(), 'line 1: the columns are separated by semicolons.*sed'),
+    (PLAIN.replace(',', '\t').encode(), 'line 1: the columns are separated by tabs.*sed'),
+    ('# für\n'.encode('latin-1') + PLAIN.encode(), 'line 1: the byte 0xfc is not UTF-8'),
+    (b't_s,axis_0\n0,0\n1700000000,0\n', r'line 3: time must rise by at most 1e\+06 s')])
+def test_other_tables_are_refused_in_one_line_with_the_cure(tmp_path, content, why):
+    (tmp_path / 'tape.csv').write_bytes(content)
+    with pytest.raises(ValueError, match=why) as refusal:
+        read_tape(tmp_path / 'tape.csv')
+    assert '\n' not in str(refusal.value)
+
+
+@pytest.mark.parametrize('name', ['tape_bom', 'tape_epoch'])
+def test_shipped_stick_as_other_programs_save_it(name):
+    saved, shipped = read_tape(DATA / f'{name}.csv'), read_tape(SHIPPED / 'docking.csv')
+    assert saved == shipped
+
+
+@pytest.mark.parametrize('name, why', [('tape_semicolon', 'semicolons'), ('tape_utf16', 'UTF-16')])
+def test_stick_in_a_format_that_is_not_ours_is_refused(name, why):
+    with pytest.raises(ValueError, match=why):
+        read_tape(DATA / f'{name}.csv')

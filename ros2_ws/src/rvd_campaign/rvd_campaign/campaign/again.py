@@ -16,7 +16,7 @@ from rvd_dynamics.diagram.in_process import fly, judge_of
 from rvd_dynamics.diagram.judge import judgement
 from rvd_dynamics.diagram.scenario import Scenario
 
-FIXED = ('scenario', 'mode', 'operator', 'tape', 'seed')        # arguments the campaign answers
+FIXED = ('scenario', 'mode', 'operator', 'tape', 'tape_topic', 'seed')  # arguments the campaign answers
 
 
 def chosen(args: argparse.Namespace) -> Scenario:

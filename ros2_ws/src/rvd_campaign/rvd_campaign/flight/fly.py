@@ -22,6 +22,7 @@ from rvd_dynamics.diagram.roster import listed
 from rvd_dynamics.diagram.scenario import load, Scenario
 from rvd_campaign.flight.interrupts import uninterrupted
 from rvd_campaign.flight.supervisor import Supervisor
+from rvd_groundstation.operators.tape import read_tape, TOPIC
 
 START_S = 60.0                  # [s] wall time for the graph to come up
 END_S = 15.0                    # [s] wall time for the nodes to end after the verdict
@@ -54,13 +55,17 @@ def chosen(args: argparse.Namespace) -> Scenario:
     scenario = scenario.with_values('/**', **shared)
     if args.tape:
         tape = catalogue.find('tapes', args.tape, ('.csv', ''))
-        scenario = scenario.with_values('joystick_replay', tape=str(tape))
+        scenario = scenario.with_values('joystick_replay', tape=str(tape),
+                                        tape_topic=args.tape_topic or TOPIC)
+    elif args.tape_topic:
+        raise CannotRun('--tape-topic goes with --tape BAG')
     if operator == 'replay':
-        from rvd_groundstation.operators.tape import read_tape
-        path = scenario.settings('joystick_replay').tape
-        if not path:
+        settings = scenario.settings('joystick_replay')
+        if not settings.tape:
             raise CannotRun('--operator replay needs --tape FILE (see rvd list tapes)')
-        read_tape(path)                         # a bad tape is refused before anything starts
+        tape = read_tape(settings.tape, settings.tape_topic)    # a bad one is refused at once
+        if tape.note:
+            print(f'rvd fly: {tape.note}', file=sys.stderr)
     return scenario
 
 

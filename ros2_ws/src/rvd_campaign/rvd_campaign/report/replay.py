@@ -44,9 +44,10 @@ def load(runs: Path, name: str) -> str:
     folder = (root / name).resolve()
     if root not in folder.parents or not (folder / 'verdict.json').is_file():
         raise FileNotFoundError(name)           # also whatever points out of the runs folder
-    if not any((folder / 'bag').glob('*.mcap')):
-        raise ValueError('this run has no bag')
-    files = files_of(folder)
+    try:
+        files = files_of(folder)
+    except ValueError:
+        raise ValueError('this run has no bag') from None
     replay = Replay(name)
     for file in files:
         for stored in MessageFile(file):

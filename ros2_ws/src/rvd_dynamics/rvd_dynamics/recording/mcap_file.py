@@ -21,6 +21,7 @@ from mcap.records import (
 from mcap.stream_reader import StreamReader
 from mcap.writer import MCAP0_MAGIC, CompressionType, Writer
 import yaml
+import zstandard
 
 from rvd_dynamics.recording import whole
 from rvd_dynamics.recording.rosbag2 import Contents, Topic, dump
@@ -104,7 +105,7 @@ def lock(path: Path) -> int | None:
 
 def records(path: Path, refuse_damage: bool = False) -> Iterator[McapRecord]:
     """
-    Yield the whole records of a file, the last one a `Footer` if the file is complete.
+    Yield the whole records of a file, which zstd may have compressed (.zstd), the last one a `Footer` if the file is complete.
 
     A file cut off at any byte, or damaged from some byte on, yields the records before it.
 
@@ -113,7 +114,9 @@ def records(path: Path, refuse_damage: bool = False) -> Iterator[McapRecord]:
     ValueError
         With `refuse_damage`, if the file is damaged rather than cut off; names it.
     """
-    with path.open('rb') as stream:
+    with path.open('rb') as file:
+        stream = file if path.suffix != '.zstd' else zstandard.ZstdDecompressor().stream_reader(
+            file, read_across_frames=True)
         try:
             yield from StreamReader(stream).records
         except (EndOfFile, struct.error):

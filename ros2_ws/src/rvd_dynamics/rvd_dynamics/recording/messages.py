@@ -1,5 +1,8 @@
 """
-The messages of recorded MCAP files, topic by topic, as bytes or decoded; no ROS needed.
+The messages of recorded bags, topic by topic, as bytes or decoded; no ROS needed.
+
+Storages of rosbag2: MCAP, and SQLite, whose rows are read as the records of an MCAP file; either
+as it is, or compressed by zstd as a file or message by message.
 """
 
 from collections.abc import Collection, Iterator
@@ -9,14 +12,30 @@ from typing import Any, Callable, NamedTuple
 
 from mcap.records import Channel, Footer, Message, Metadata, Schema
 from mcap_ros2.decoder import DecoderFactory
+import zstandard
 
 from rvd_dynamics.constants import NS_PER_S
-from rvd_dynamics.recording.mcap_file import records
+from rvd_dynamics.recording import mcap_file, sqlite_file
+
+STORAGES = {'.mcap': mcap_file.records, '.db3': sqlite_file.records}
+PACKED = '.zstd'                                # behind the ending of a compressed file
+ZSTD = b'\x28\xb5\x2f\xfd'                     # begins what is compressed, and no CDR
+
+
+def storage_of(name: str) -> str:
+    """Return the ending of a bag's file that says how it is stored; empty if it is none."""
+    ending = Path(name.removesuffix(PACKED)).suffix
+    return ending if ending in STORAGES else ''
+
+
+def is_bag(path: Path) -> bool:
+    """Say whether a path means a bag: a folder, or a file with an ending of rosbag2."""
+    return path.is_dir() or bool(storage_of(path.name))
 
 
 def files_of(path: Path) -> list[Path]:
     """
-    Return the MCAP files of a run folder, a bag folder or a file, in the order of recording.
+    Return the files of a bag: of a run folder, a bag folder or a file, in the order of recording.
 
     Raises
     ------
@@ -26,9 +45,11 @@ def files_of(path: Path) -> list[Path]:
     if path.is_file():
         return [path]
     folder = path / 'bag' if (path / 'bag').is_dir() else path
-    found = list(folder.glob('*.mcap'))
+    found = [file for file in folder.glob('*') if storage_of(file.name)]
+    found = [file for file in found
+             if file.suffix != PACKED or file.with_suffix('') not in found]     # unpacked beside it
     if not found:
-        raise ValueError(f'{path} holds no bag: there is no .mcap file in the folder')
+        raise ValueError(f'{path} holds no bag: there is no .mcap or .db3 file in the folder')
     return sorted(found, key=lambda file: (len(file.name), file.name))     # bag_2 before bag_10
 
 
@@ -46,11 +67,14 @@ class Source:
         self.encoding = channel.message_encoding        # cdr
         self.kind = schema.name if schema else ''       # pkg/msg/Type
         self.count = 0                                  # messages that were met so far
-        self._path, self._schema, self._factory = path, schema, factory
+        self.path, self._schema, self._factory = path, schema, factory
 
     @cached_property
     def _decoder(self) -> Callable[[bytes], Any]:
-        made = self._factory.decoder_for(self.encoding, self._schema)
+        schema, factory = self._schema, self._factory
+        if schema is None or schema.encoding != 'ros2msg' or not schema.data:
+            schema, factory = _standard(self.kind) or schema, DecoderFactory()
+        made = factory.decoder_for(self.encoding, schema)
         if made is None:
             raise ValueError(f'needs a ros2msg schema and cdr, has '
                              f'{self._schema.encoding if self._schema else "no"} schema and '
@@ -69,8 +93,18 @@ class Source:
         try:
             return self._decoder(data)
         except Exception as error:              # whatever made-up bytes or schemas lead to
-            raise ValueError(f'{self._path}, {self.topic} message {number}: cannot be decoded: '
+            raise ValueError(f'{self.path}, {self.topic} message {number}: cannot be decoded: '
                              f'{str(error) or type(error).__name__}') from None
+
+
+def _standard(kind: str) -> Schema | None:
+    """Return the definition of a type of ROS itself: older bags bring none."""
+    from rosbags.typesys import get_typestore, Stores, TypesysError
+    try:
+        text, _ = get_typestore(Stores.ROS2_JAZZY).generate_msgdef(kind, ros_version=2)
+    except (KeyError, TypesysError):            # no such type
+        return None
+    return Schema(id=1, name=kind, encoding='ros2msg', data=text.encode())
 
 
 class Stored(NamedTuple):
@@ -93,6 +127,15 @@ class Stored(NamedTuple):
         return self.source.decoded(self.data, self.number)
 
 
+def unpacked(data: bytes, source: Source) -> bytes:
+    """Return a message that was compressed by itself; raises as `Source.decoded`."""
+    try:
+        return zstandard.ZstdDecompressor().decompressobj().decompress(data)
+    except zstandard.ZstdError as error:
+        raise ValueError(f'{source.path}, {source.topic} message {source.count}: cannot be '
+                         f'unpacked: {error}') from None
+
+
 class MessageFile:
     """
     The messages of one file in its order, and what else it says, known once they are through.
@@ -100,7 +143,7 @@ class MessageFile:
     Parameters
     ----------
     path : Path
-        An MCAP file, which may be cut off, or damaged from some byte on: then it ends there.
+        A file of a bag, which may be cut off, or damaged from some byte on: then it ends there.
     topics : collection of str, optional
         Those whose messages are wanted; by default all.
     refuse_damage : bool
@@ -116,13 +159,17 @@ class MessageFile:
 
     def __iter__(self) -> Iterator[Stored]:
         factory, schemas, channels = DecoderFactory(), {}, {}
+        records = STORAGES[storage_of(self._path.name) or '.mcap']
         for record in records(self._path, self._refuse_damage):
             if isinstance(record, Message):
                 source, wanted = channels.get(record.channel_id, (None, False))
                 if source is not None:
                     source.count += 1
                 if wanted:
-                    yield Stored(source, source.count, record.data, record.log_time,
+                    data = record.data
+                    if data[:4] == ZSTD:
+                        data = unpacked(data, source)
+                    yield Stored(source, source.count, data, record.log_time,
                                  record.publish_time)
             elif isinstance(record, Schema):
                 schemas[record.id] = record

@@ -48,10 +48,10 @@ def tape(scenario: Scenario) -> Tape:
     ValueError
         If none is named or it cannot be played.
     """
-    path = scenario.settings('joystick_replay').tape
-    if not path:
+    settings = scenario.settings('joystick_replay')
+    if not settings.tape:
         raise ValueError('operator replay needs a tape: joystick_replay: tape names none')
-    return read_tape(path)
+    return read_tape(settings.tape, settings.tape_topic)
 
 
 # -- blocks ------------------------------------------------------------------------------------
