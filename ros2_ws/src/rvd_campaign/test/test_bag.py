@@ -1,6 +1,7 @@
 """A recorded run as arrays: what was published, also from a bag that was cut off."""
 
 from dataclasses import fields
+import re
 import subprocess
 import sys
 
@@ -12,6 +13,9 @@ import small_run
 from small_run import HOLD, LAST, LOST, ROSTER, SCENARIO, write_run
 from std_msgs.msg import String
 
+from rvd_campaign.report import replay
+from rvd_campaign.report.figures import figures_of
+from rvd_campaign.report.run import page
 from rvd_dynamics.commands import codes
 from rvd_dynamics.diagram.judge import from_message
 from rvd_dynamics.diagram.ros.conversions import header_at
@@ -274,15 +278,38 @@ def test_a_bag_of_a_mission_that_is_not_installed_may_be_cut_off(tmp_path):
 
 @pytest.mark.parametrize('text, why', [
     ('', 'holds no scenario'), ('not: [yaml', 'not valid YAML'),
+    ('/*: {ros__parameters: {mission: tether}}', r'names no mission, and lunar_approach has no node /\*'),
+    ('arm: {ros__parameters: {a: 1}}', 'names no mission, and lunar_approach has no node arm'),
+    ('/**: {ros__parameters: {seed: 1}}\narm: {ros__parameters: {a: 1}}', 'no node arm'),
+    ('{}', 'names no mission and holds nothing'),
     ('/**: 3', 'must hold ros__parameters'), ('/**: {ros__parameters: {step_s: 90}}', 'step_s')])
 def test_a_scenario_that_cannot_be_read_is_none_and_says_why(text, why):
     scenario, trouble = scenario_of(text)
-    assert scenario is None and why in trouble and '\n' not in trouble
+    assert scenario is None and re.search(why, trouble) and '\n' not in trouble
+
+
+def test_a_bag_whose_scenario_cannot_be_told_is_shown_as_no_mission(tmp_path):
+    """Not by the figures and limits of the default one."""
+    text = SCENARIO.replace('/**:', '/*:')
+    found = read(write_run(tmp_path, [('/run/scenario', 0, String(data=text)),
+                                      *small_run.messages()[1:]]))
+    assert found.scenario is None and 'names no mission' in found.scenario_trouble
+    assert figures_of(found) == {}
+    assert 'There are no figures: scenario' in page(found)
+    (tmp_path / 'verdict.json').write_text('{}')
+    with pytest.raises(ValueError, match='names no mission'):
+        replay.load(tmp_path.parent, tmp_path.name)
+
+
+def test_a_scenario_from_before_there_were_missions_is_of_the_first():
+    scenario, trouble = scenario_of('/**: {ros__parameters: {seed: 3, gone: 1}}\n'
+                                    'auto_controller: {ros__parameters: {law: none}}')
+    assert scenario.mission.name == 'lunar_approach' and 'gone' in trouble
 
 
 def test_a_scenario_of_another_version_is_read_as_far_as_it_is_known():
     scenario, trouble = scenario_of(
-        '/**: {ros__parameters: {step_s: 0.1, of_tomorrow: 1, forward_delay_s: 2, '
+        '/**: {ros__parameters: {mission: lunar_approach, step_s: 0.1, of_tomorrow: 1, forward_delay_s: 2, '
         'corridor: {half_angle_deg: 4.0}}}\nnext_node: {ros__parameters: {a: 1}}')
     assert (scenario.run.step_s, scenario.part('legs').forward,
             scenario.part('cone').half_angle_deg) == (0.1, 20, 4)

@@ -275,10 +275,18 @@ def parse_known(text: str, name: str) -> tuple[Scenario, list[str]]:
     """
     Return the scenario in a text of another version, and the keys and nodes that were left out.
 
-    What this version does not know is left out; for all else errors are those of `load`.
+    What this version does not know is left out; for all else errors are those of `load`. A text
+    without a mission is of the default one only if its nodes are: they cannot tell of another.
     """
     tree = mapping_of(text, f'scenario {name}')
     mission = mission_of(tree, name)
+    if not _names_mission(tree):
+        strange = [str(section) for section in tree
+                   if section != SHARED and section not in mission.sections]
+        if strange or not tree:
+            raise ScenarioError(f'scenario {name}: names no mission'
+                                + (f', and {mission.name} has no node {", ".join(strange)}'
+                                   if strange else ' and holds nothing'))
     sections, unknown = {}, []
     for section, body in tree.items():
         if section != SHARED and section not in mission.sections:
@@ -293,14 +301,19 @@ def parse_known(text: str, name: str) -> tuple[Scenario, list[str]]:
 
 def mission_of(tree: dict[str, Any], name: str) -> Mission:
     """Return the mission that a scenario's tree names, or refuse it in one line."""
-    try:
-        word = tree['/**']['ros__parameters'].get('mission', DEFAULT_MISSION)
-    except (KeyError, TypeError, AttributeError):       # what else is wrong is found out later
-        word = DEFAULT_MISSION
+    word = DEFAULT_MISSION                              # what else is wrong is found out later
+    if _names_mission(tree):
+        word = tree[SHARED]['ros__parameters']['mission']
     try:
         return missions.find(str(word))
     except ValueError as error:
         raise ScenarioError(f'scenario {name}: {error}') from None
+
+
+def _names_mission(tree: dict[str, Any]) -> bool:
+    body = tree.get(SHARED)
+    parameters = body.get('ros__parameters') if isinstance(body, dict) else None
+    return isinstance(parameters, dict) and 'mission' in parameters
 
 
 def check_keys(name: str, mission: Mission, section: str, flat: Mapping[str, Any]) -> None:
