@@ -149,7 +149,7 @@ def test_the_bring_up_gets_one_line_a_process_that_a_shell_can_read(run):
         assert f'nodes:=[{",".join(roster.names)}]' in arguments
         told = [a for a in arguments if a.startswith(('__node:=', 'group:='))]
         assert told == [f'group:={name}' if process.grouped else f'__node:={name}']
-        assert ('bag_recorder:bag_dir:=/run/with a blank/bag' in arguments) == (
+        assert ('bag_recorder:bag_dir:="/run/with a blank/bag"' in arguments) == (
             'bag_recorder' in process.nodes)
 
 

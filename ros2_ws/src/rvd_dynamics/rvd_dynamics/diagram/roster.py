@@ -18,6 +18,8 @@ import shlex
 import sys
 from typing import NamedTuple
 
+import yaml
+
 from rvd_dynamics.diagram.block import External, GROUND, Leg, Read, WATCH
 from rvd_dynamics.diagram.scenario import load, Scenario
 
@@ -266,10 +268,20 @@ def lines(roster: Roster, run_dir: str) -> list[str]:
         else:
             arguments += ['-r', f'__node:={process.name}']
         if RECORDER in process.nodes:
-            arguments += ['-p', f'{RECORDER}:bag_dir:={run_dir}/bag']
+            arguments += ['-p', f'{RECORDER}:bag_dir:={scalar(f"{run_dir}/bag")}']
         made.append(' '.join((process.name, process.package, process.executable,
                               *map(shlex.quote, arguments))))
     return made
+
+
+def scalar(text: str) -> str:
+    """
+    Return any text as a YAML scalar on one line, which ROS and we read as this very text.
+
+    ROS parses what follows `:=` as YAML: bare, ` #` would begin a comment, `: ` a mapping.
+    """
+    return yaml.safe_dump(text, default_style='"', allow_unicode=True,
+                          width=float('inf')).rstrip('\n')
 
 
 def main(arguments: list[str]) -> int:

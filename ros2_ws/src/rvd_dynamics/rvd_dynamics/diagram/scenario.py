@@ -7,6 +7,7 @@ unknown keys are refused with the nearest known one, shared keys stand under `/*
 """
 
 import difflib
+import re
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
@@ -219,12 +220,24 @@ def sections_of(mission: Mission, only: Collection[str] = ()) -> dict[str, list[
     return made_of
 
 
+NOT_TEXT = ('y', 'n', 'yes', 'no', 'on', 'off', 'true', 'false', 'inf', 'infinity', 'nan', 'null')
+
+
 class _Dumper(yaml.SafeDumper):
     """Writes short lists in one line and floats so that ROS reads floats."""
 
 
 _Dumper.add_representer(list, lambda d, v: d.represent_sequence(
     'tag:yaml.org,2002:seq', v, flow_style=True))
+
+
+def _text(dumper: _Dumper, text: str) -> Any:
+    """Quote what ROS, which knows more numbers and truth values than PyYAML, would not read as text."""
+    bare = re.match('[A-Za-z_/]', text) and text.lower() not in NOT_TEXT
+    return dumper.represent_scalar('tag:yaml.org,2002:str', text, style=None if bare else "'")
+
+
+_Dumper.add_representer(str, _text)
 
 
 class _Loader(yaml.SafeLoader):
