@@ -7,7 +7,10 @@ import io
 import json
 import pickle
 import shutil
+import subprocess
+import sys
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pyarrow.parquet
@@ -268,6 +271,70 @@ def test_sources_of_the_mission_count(monkeypatch):
     own = replace(campaign.mission, name='other', diagram='statistics:diagram')
     assert engine.code_hash(campaign.mission) != engine.code_hash(own)
     assert engine.software(campaign.mission)[1:] == tuple(engine.versions().values())
+
+
+LOADED = """
+import sys
+from rvd_dynamics.diagram.in_process import fly
+from rvd_dynamics.diagram.scenario import parse
+short = parse('/**: {ros__parameters: {timeout_s: 3}}', 'short')
+for operator in ('model', 'replay', 'none'):
+    taped = short.with_values('joystick_replay', tape=sys.argv[1])
+    fly(taped.with_values('/**', operator=operator), range(2))
+print(*(m.__file__ for n, m in sys.modules.items() if n.startswith('rvd_') and m.__file__))
+"""
+
+
+def test_every_module_that_the_loop_loads_counts(tmp_path):
+    tape = tmp_path / 'tape.csv'
+    tape.write_text('t_s,axis_0,axis_1,axis_2\n0,0,0,0\n')
+    done = subprocess.run([sys.executable, '-c', LOADED, str(tape)], check=True,
+                          capture_output=True, text=True)
+    counted = {path.resolve() for _, path in
+               engine.sources(*engine._places(parse_campaign(TEXT, 'small').mission))}
+    loaded = {Path(file).resolve() for file in done.stdout.split()}
+    assert len(loaded) > 60 and not loaded - counted
+
+
+EDITED = {
+    'rvd_groundstation/console/server.py': False, 'rvd_groundstation/console/feed.py': False,
+    'rvd_dynamics/diagram/ros/host.py': False, 'rvd_dynamics/recording/drawing.py': False,
+    'rvd_dynamics/diagram/display/scene.py': False, 'rvd_missions/lunar_approach/figures.py': False,
+    'rvd_missions/lunar_approach/display.py': False, 'rvd_missions/lunar_approach/judge.py': True,
+    'rvd_dynamics/motion/cw.py': True, 'rvd_groundstation/guidance/barrier.py': True,
+    'rvd_groundstation/operators/tape.py': True, 'rvd_dynamics/diagram/in_process.py': True,
+    'rvd_missions/lunar_approach/columns.py': True}
+
+
+@pytest.mark.parametrize('edited, counts', EDITED.items())
+def test_a_campaign_is_another_one_after_an_edit_of_what_makes_its_numbers(
+        edited, counts, monkeypatch):
+    mission = parse_campaign(TEXT, 'small').mission
+    before, read_bytes = engine.code_hash(mission), Path.read_bytes
+    met = []
+
+    def with_edit(path):
+        if path.as_posix().endswith(edited):
+            met.append(path)
+            return read_bytes(path) + b'# edited'
+        return read_bytes(path)
+    monkeypatch.setattr(Path, 'read_bytes', with_edit)
+    monkeypatch.setattr(engine, '_code_hash', engine._code_hash.__wrapped__)
+    assert (engine.code_hash(mission) != before) == bool(met) == counts
+
+
+def test_figures_that_the_loop_uses_count_after_all(tmp_path, monkeypatch):
+    monkeypatch.syspath_prepend(tmp_path)
+    package = tmp_path / 'odd_mission'
+    package.mkdir()
+    for name in ('__init__', 'figures', 'display'):
+        (package / f'{name}.py').write_text('')
+    (package / 'diagram.py').write_text('from odd_mission.figures import SCALE\n')
+    odd = replace(parse_campaign(TEXT, 'small').mission, name='odd',
+                  diagram='odd_mission.diagram:diagram', figures='odd_mission.figures:FIGURES',
+                  display='odd_mission.display:display')
+    assert {name for name, _ in engine.sources(*engine._places(odd)) if name.startswith('odd_')} == {
+        'odd_mission/__init__.py', 'odd_mission/diagram.py', 'odd_mission/figures.py'}
 
 
 def test_conditions_share_draws_only_where_they_are_the_same():

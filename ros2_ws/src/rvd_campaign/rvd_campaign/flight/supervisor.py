@@ -83,7 +83,8 @@ class Supervisor:
         self.poll()
         left = set(self.pids) - set(self.codes)
         if left and left <= names:
-            self._end([self.pids[name] for name in left], STOP_S)
+            for name in left:
+                _signal(self.pids[name], signal.SIGTERM)
             self._ended_by_us |= left
 
     def complaint(self) -> str:
