@@ -2,7 +2,7 @@
 
 import pytest
 
-from rvd_dynamics.commands.codes import KIND_ABORT, KIND_THRUST, REASON_ABORT, REASON_CHECKSUM
+from rvd_dynamics.commands.codes import KIND_ABORT, KIND_THRUST, REASON_ABORT, REASON_CHECKSUM, REASON_NONE
 from rvd_groundstation.console.ladder import Ladder, STATES
 
 FORWARD, BACK, STEP_S = 4, 3, 0.5
@@ -13,16 +13,15 @@ def flown(steps, lost=(), refused=(), dark=()):
     Fly a ladder against a craft of our own: sequence = step + 1, due FORWARD later.
 
     `lost` and `refused` are sequences that do not get through, `dark` the steps whose downlink
-    is lost.
+    is lost. As the craft does, each downlink tells why the command of the step before was refused.
     """
     ladder = Ladder(FORWARD, STEP_S)
     accepted, code, downlinks = 0, 0, {}
     for k in range(steps):
         downlinks[k] = (accepted, code)         # of the commands up to k - 1
         due = k - FORWARD + 1
-        if due >= 1 and due in refused:
-            code = REASON_CHECKSUM
-        elif due >= 1 and due not in lost:
+        code = REASON_CHECKSUM if due in refused else REASON_NONE
+        if due >= 1 and due not in (*lost, *refused):
             accepted = due
         if k >= BACK and k - BACK not in dark:
             ladder.heard(k, k - BACK, *downlinks[k - BACK])
@@ -55,6 +54,29 @@ def test_what_the_link_lost_is_missed_and_what_the_guard_refused_is_refused_with
     assert now[5] == 'MISSED' and now[9] == 'REFUSED'
     assert next(r for r in ladder.rungs if r.sequence == 9).refusal == REASON_CHECKSUM
     assert now[6] == now[10] == 'SEEN'
+
+
+@pytest.mark.parametrize('refused, lost', [({9, 10}, {5}), ({9, 14}, {12}), ({6, 7, 8}, ())])
+def test_a_second_equal_refusal_is_a_refusal_and_a_miss_after_it_a_miss(refused, lost):
+    ladder = flown(40, lost=lost, refused=refused)
+    now = states(ladder)
+    assert {s for s, state in now.items() if state == 'REFUSED'} == refused
+    assert {s for s, state in now.items() if state == 'MISSED'} == set(lost)
+    assert {r.refusal for r in ladder.rungs if r.sequence in refused} == {REASON_CHECKSUM}
+
+
+def test_an_abort_that_was_lost_while_one_is_in_force_is_missed_and_not_refused():
+    ladder = Ladder(FORWARD, STEP_S)
+    for k, kind in enumerate((KIND_ABORT, KIND_ABORT, KIND_THRUST)):
+        ladder.sent(k, k + 1, (0, 0, 0), kind)
+    for k in range(3):                          # the first is in force, the others do not get in
+        ladder.heard(k + 8, k + FORWARD + 1, 1, REASON_ABORT if k else REASON_NONE)
+    assert [STATES[r.state] for r in ladder.rungs] == ['SEEN', 'MISSED', 'REFUSED']
+
+
+def test_a_refusal_that_dark_telemetry_told_of_is_missed_since_only_the_acceptance_is_known():
+    ladder = flown(20, refused={7, 8}, dark={7 - 1 + FORWARD + 1})
+    assert states(ladder)[7] == 'MISSED' and states(ladder)[8] == 'REFUSED'
 
 
 def test_where_the_telling_telemetry_was_lost_the_ladder_says_unknown():

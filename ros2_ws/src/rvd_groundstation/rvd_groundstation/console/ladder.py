@@ -2,15 +2,16 @@
 The command ladder: where each command is on its way, as far as the ground can know.
 
 The ground knows what it sent, when a command is due on board (the play-out buffer makes that
-a constant), and what the downlink says: the last accepted sequence number and the last refusal
-code. Nothing here looks at the link or the craft directly.
+a constant), and what the downlink says: the last accepted sequence number, and why the command
+of the step before was refused, if it was. Nothing here looks at the link or the craft directly.
 
     SENT       on the link; due on board `forward_steps` after it was sent
     DUE        should be at the craft; no telemetry of that instant has come down yet
     EXECUTED   telemetry of the step after it acted says that it was accepted
     SEEN       and telemetry of `EFFECT_S` later has come down too: the motion shows the effect
-    REFUSED    telemetry says that it was not accepted, and the refusal code has just changed
-    MISSED     it was not accepted: it did not arrive in time, or was refused like one before
+    REFUSED    telemetry of the step after it was due says that it was refused, and why
+    MISSED     it was not accepted: it did not arrive in time, or the telemetry that tells of a
+               refusal was lost
     UNKNOWN    the telemetry that could have told was lost, or this craft's never tells
 
 A downlink generated in step g tells of commands that acted up to step g - 1.
@@ -20,10 +21,12 @@ from collections import deque
 from dataclasses import dataclass, field
 
 from rvd_dynamics.commands.codes import KIND_ABORT, REASON_ABORT, REASON_NONE
+from rvd_dynamics.link.frame import Refusal
 
 SENT, DUE, EXECUTED, SEEN, REFUSED, MISSED, UNKNOWN = range(7)
 STATES = ('SENT', 'DUE', 'EXECUTED', 'SEEN', 'REFUSED', 'MISSED', 'UNKNOWN')
 EFFECT_S = 1.0                  # [s] simulation time
+REFUSALS = {int(refusal) for refusal in Refusal}
 
 
 @dataclass(slots=True)
@@ -51,8 +54,6 @@ class Ladder:
     rungs: deque = field(default_factory=deque)
     round_trip_steps: int | None = None
     version: int = 0            # rises with every change
-    _refusal: int = REASON_NONE
-    _heard: int = -1            # newest step that telemetry told of
 
     def sent(self, step: int, sequence: int, value: tuple[float, ...], kind: int) -> None:
         """Note a command that left the ground in `step`."""
@@ -75,7 +76,8 @@ class Ladder:
         """
         Take in telemetry that came down in `step` and was generated in `generated`.
 
-        `accepted` is None where telemetry does not say which commands were accepted.
+        `accepted` is None where telemetry does not say which commands were accepted; `refusal`
+        is of the command that was due in the step before `generated`, 0 when none was refused.
         """
         tells = generated - 1
         effect = round(EFFECT_S / self.step_s)
@@ -89,7 +91,6 @@ class Ladder:
                 self._judge(rung, step, tells, accepted, refusal)
             elif rung.state == EXECUTED and rung.due + effect <= tells:
                 self._set(rung, SEEN)
-        self._refusal, self._heard = refusal, max(self._heard, tells)
 
     def _abort_in_force(self, accepted: int) -> int | None:
         """Return the sequence of the first ABORT if the craft has accepted one."""
@@ -105,9 +106,9 @@ class Ladder:
             self._set(rung, EXECUTED)
             self.round_trip_steps = step - rung.step
         elif accepted < rung.sequence:
-            new = refusal != REASON_NONE and refusal != self._refusal
-            rung.refusal = refusal if new else REASON_NONE
-            self._set(rung, REFUSED if new else MISSED)
+            refused = rung.due == tells and _refuses(refusal, rung.kind)
+            rung.refusal = refusal if refused else REASON_NONE
+            self._set(rung, REFUSED if refused else MISSED)
         else:                                   # a later one was accepted: this one may have been
             self._set(rung, UNKNOWN)
 
@@ -125,6 +126,15 @@ class Ladder:
         for rung in self.rungs:
             made[STATES[rung.state]] += 1
         return made
+
+
+def _refuses(refusal: int, kind: int) -> bool:
+    """
+    Say whether a code of the guard means that a command of `kind` came and was refused.
+
+    ABORT in force is the guard's reason in every step from then on, and refuses no ABORT.
+    """
+    return refusal in REFUSALS or (refusal == REASON_ABORT and kind != KIND_ABORT)
 
 
 def row(rung: Rung) -> list[float]:
