@@ -11,6 +11,8 @@ import pytest
 
 from rvd_dynamics.diagram.display import as_data
 from rvd_dynamics.diagram.scenario import parse
+from rvd_groundstation.console import hub as hub_module
+from rvd_groundstation.console import node as node_module
 from rvd_groundstation.console import server
 from rvd_groundstation.console.access import CONTENT_POLICY
 from rvd_groundstation.console.decode import Sample
@@ -28,6 +30,7 @@ class Graph:
 
     def __init__(self):
         self.sticks, self.asked, self.events = [], [], []
+        self.dead, self.replies = False, []     # dead: answers only when `replies` are called
 
     def joy(self, stick):
         self.sticks.append(stick)
@@ -35,7 +38,9 @@ class Graph:
 
     def control(self, action, mode, reply):
         self.asked.append((action, mode))
-        reply(True, action)
+        self.replies.append(reply)
+        if not self.dead:
+            reply(True, action)
 
     def event(self, code, text):
         self.events.append(code)
@@ -137,6 +142,103 @@ def test_only_the_lease_flies_and_abort_needs_none():
             assert [s.sequence for s in house.graph.sticks] == [9]
             assert house.graph.asked == [('mode', 'auto'), ('abort', '')]
     run(work())
+
+
+@pytest.mark.parametrize('action', ['abort', 'pause', 'mode'])
+def test_a_request_that_the_graph_does_not_answer_is_said_to_be_unanswered(monkeypatch, action):
+    monkeypatch.setattr(hub_module, 'ANSWER_S', 0.2)
+
+    async def work():
+        async with House() as house, house.socket() as page:
+            await ask(page, do='take')
+            house.graph.dead = True
+            reply = await ask(page, do=action, mode='auto')
+            assert (reply['id'], reply['ok'], reply['code']) == (5, False, 'NO_ANSWER')
+            house.graph.replies[0](True, 'late')            # what is in force is shown all the same
+            assert (house.hub.feed.paused, house.hub.feed.mode) == (
+                action == 'pause', 'auto' if action == 'mode' else 'shared')
+            house.graph.dead = False
+            assert (await ask(page, do=action, mode='auto'))['ok']
+            await asyncio.sleep(0.3)                        # and the time of an answer is over
+            while True:
+                try:
+                    message = json.loads((await page.receive(0.2)).data)
+                except asyncio.TimeoutError:
+                    break
+                assert message.get('code') != 'NO_ANSWER'
+    run(work())
+
+
+def test_an_abort_that_is_asked_again_does_not_reach_another_run():
+    async def work():
+        async with House() as house, house.socket() as page:
+            assert (await ask(page, do='abort', run='before'))['code'] == 'NO_RUN'
+            assert house.graph.asked == []
+            assert (await ask(page, do='abort', run='run'))['ok']
+    run(work())
+
+
+@pytest.mark.parametrize('first, seen', [
+    (('paused', True), lambda hub: hub.feed.paused),
+    (('command', command(0, 7)), lambda hub: [r.sequence for r in hub.feed.ladder.rungs] == [7])])
+def test_what_a_node_says_first_is_heard_in_its_run_and_in_no_other(first, seen):
+    """The node's thread may post before the loop has run: nothing is lost, nothing comes early."""
+    async def work():
+        async with House() as house:
+            old = house.hub.feed
+            house.hub.post('begin', 'next', display_of(SCENARIO), Graph())
+            house.hub.post(*first)
+            await asyncio.sleep(0.2)
+            assert house.hub.run_name == 'next' and house.hub.feed is not old and seen(house.hub)
+            assert not old.paused and not old.ladder.rungs
+    run(work())
+
+
+def test_what_was_posted_before_there_was_a_loop_is_not_left_lying():
+    async def work():
+        hub = Hub()
+        hub.post('begin', 'run', display_of(SCENARIO), Graph())
+        pump = asyncio.create_task(hub.pump())
+        await asyncio.sleep(0.1)
+        assert hub.phase == 'flying'
+        pump.cancel()
+    run(work())
+
+
+def test_a_node_begins_its_run_before_it_listens(monkeypatch):
+    """Its thread does not wait for the loop, which is behind here until all has been said."""
+    hub, later = Hub(), []
+
+    class Node:
+        provider = display_of(SCENARIO)
+
+        def __init__(self, host, hub, call_soon):
+            pass
+
+        def connect(self):
+            hub.post('paused', True)
+
+        def leave(self):
+            pass
+
+    class Host:
+        def __init__(self, given):
+            pass
+
+        def spin(self, stopped):
+            pass
+
+        close = leave = lambda self: None
+    for name, value in (('ConsoleNode', Node), ('Host', Host), ('of_the_run', lambda a: a),
+                        ('listen_for_the_end', lambda host: None)):
+        monkeypatch.setattr(node_module, name, value)
+    monkeypatch.setattr(node_module.rclpy, 'init', lambda **_: None)
+    monkeypatch.setattr(node_module.rclpy, 'try_shutdown', lambda: None)
+    node_module.follow(hub, [], lambda: True, lambda *call: later.append(call))
+    for method, *args in later:
+        method(*args)
+    hub._drain()
+    assert hub.phase == 'flying' and hub.feed.paused
 
 
 def test_who_takes_the_stick_hears_the_whole_ladder():

@@ -29,6 +29,8 @@ HAND_S = 0.016                  # [s] wall time between two handfuls: 50 pages g
 HOUSEKEEPING_S = 0.25           # [s] wall time
 MAX_CLIENTS = 51                # 50 watchers and a pilot
 STICK_S = 0.5                   # [s] wall time after which a held stick is no pilot
+ANSWER_S = 2.0                  # [s] wall time in which /run/control must have answered
+WAKING = ('begin', 'command', 'event', 'final', 'paused')
 
 
 class Bridge(Protocol):
@@ -38,7 +40,7 @@ class Bridge(Protocol):
         """Publish a stick sample; return the command that it means."""
 
     def control(self, action: str, mode: str, reply: Callable[[bool, str], None]) -> None:
-        """Call /run/control; `reply` gets the answer in the event loop."""
+        """Call /run/control; `reply` gets the answer, if one comes, in the event loop."""
 
     def event(self, code: str, text: str) -> None:
         """Put an event on /run/events."""
@@ -184,14 +186,21 @@ class Hub:
     def _control(self, client: Client, wish: Request) -> None:
         if self._bridge is None or self.phase != 'flying':
             raise Refused('NO_RUN')
-        mode = wish.content.get('mode', '')
+        if wish.content.get('run', self.run_name) != self.run_name:
+            raise Refused('NO_RUN')             # asked again of a run that is over
+        mode, feed = wish.content.get('mode', ''), self.feed
+
+        def no_answer() -> None:
+            self._tell(client, {'type': 'reply', 'id': wish.id, 'ok': False, 'code': 'NO_ANSWER'})
+        timer = asyncio.get_running_loop().call_later(ANSWER_S, no_answer)
 
         def reply(accepted: bool, text: str) -> None:
-            if accepted and self.feed is not None:
+            timer.cancel()
+            if accepted:                        # also too late: what is in force is shown
                 if wish.do == 'mode':
-                    self.feed.mode = mode
+                    feed.mode = mode
                 elif wish.do in ('pause', 'resume'):
-                    self.feed.paused = wish.do == 'pause'
+                    feed.paused = wish.do == 'pause'
                 self._fresh.set()
             self._reply(client, wish.id, accepted, text)
         self._bridge.control(wish.do, mode, reply)
@@ -244,7 +253,6 @@ class Hub:
         self.feed, self.run_name, self._bridge = Feed(provider), name, bridge
         self.phase, self.note, self.verdict, self.pilot_lost = 'flying', '', None, False
         self._shown = {'pilot': 0, 'watch': 0}
-        self._inbox.clear()
         self._everybody(self.feed.run_message(name))
         self._status()
 
@@ -269,15 +277,22 @@ class Hub:
         self._status()
 
     def post(self, method: str, *args: Any) -> None:
-        """Hand in decoded content; from any thread."""
+        """
+        Hand in decoded content, and with 'begin' a new run before its content; from any thread.
+
+        One queue for both, so that what a node says first can neither be lost nor be taken for
+        the run before.
+        """
         self._inbox.append((method, args))
-        if method in ('command', 'event', 'final', 'paused') and self._loop is not None:
+        if method in WAKING and self._loop is not None:
             self._loop.call_soon_threadsafe(self._fresh.set)
 
     def _drain(self) -> None:
         while self._inbox:
             method, args = self._inbox.popleft()
-            if method == 'event':
+            if method == 'begin':
+                self.begin(*args)
+            elif method == 'event':
                 self._everybody({'type': 'event', **args[0]})
             elif method == 'final':
                 self.verdict = {'type': 'verdict', **args[0]}
@@ -296,6 +311,8 @@ class Hub:
     async def pump(self) -> None:
         """Send frames as the run steps, for ever."""
         self._loop = asyncio.get_running_loop()
+        if self._inbox:                         # posted before there was a loop to wake
+            self._fresh.set()
         while True:
             await self._fresh.wait()
             self._fresh.clear()

@@ -177,10 +177,12 @@ class ConsoleNode(RunNode):
 
     def control(self, action: str, mode: str, reply: Callable[[bool, str], None]) -> None:
         """Call /run/control without waiting for the answer."""
-        if self._left:
-            reply(False, 'the run has ended')
-            return
-        future = self._control.call_async(RunControl.Request(action=ACTIONS[action], mode=mode))
+        with self._gate:
+            if self._left:
+                reply(False, 'the run has ended')
+                return
+            future = self._control.call_async(
+                RunControl.Request(action=ACTIONS[action], mode=mode))
         future.add_done_callback(lambda f: self._call_soon(
             reply, f.result().accepted, f.result().message))
 
@@ -217,7 +219,7 @@ def follow(hub: Hub, arguments: list[str], stopped: Callable[[], bool], call_soo
     try:
         host = Host(of_the_run(arguments))
         node = ConsoleNode(host, hub, call_soon)
-        call_soon(hub.begin, hub.run_name or 'run', node.provider, node)
+        hub.post('begin', hub.run_name or 'run', node.provider, node)
         node.connect()
         listen_for_the_end(host)
         host.spin(stopped)
