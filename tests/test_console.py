@@ -15,7 +15,7 @@ STEP_NS = 500_000_000           # of the scenario `barrier`
 PARTS = ('chaser', 'ghost', 'corridor', 'station')
 PAD = """
 (() => {
-  const pad = { id: 'stub', connected: true, axes: [0, 0, 0, 0],
+  const pad = { id: 'stub', index: 0, mapping: 'standard', connected: true, axes: [0, 0, 0, 0],
     buttons: Array.from({ length: 8 }, () => ({ pressed: false, value: 0 })) };
   window.pad = pad;
   navigator.getGamepads = () => [pad];
@@ -124,7 +124,9 @@ def test_a_gamepad_flies_only_while_its_dead_man_is_held(console, browser):
     page.add_init_script(PAD)
     page.reload()
     until(page, 'window.rvd?.store.connected')
-    page.evaluate('pad.axes[2] = 1; pad.buttons[4].pressed = true')
+    page.evaluate('pad.buttons[4].pressed = true')
+    page.wait_for_timeout(100)
+    page.evaluate('pad.axes[2] = 1')
     page.wait_for_timeout(100)
     state = page.evaluate('rvd.stick.state()')
     assert state['held'] and state['at'] == [0, 0, pytest.approx(1.0)]

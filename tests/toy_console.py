@@ -11,11 +11,12 @@ import math
 import threading
 
 from rvd_dynamics.diagram.display import (
-    Axis, Body, Box, CommandAxis, CommandRow, Commands, Controller, Display, Instrument,
+    as_data, Axis, Body, Box, CommandAxis, CommandRow, Commands, Controller, Display, Instrument,
     Instruments, Line, Number, Perspective, Reading, Ref, Trail)
+from rvd_dynamics.diagram.scenario import parse
 from rvd_groundstation.console.decode import Heard, Sample
 from rvd_groundstation.console.hub import Hub
-from rvd_groundstation.console.provider import MissionDisplay, RunFacts
+from rvd_groundstation.console.provider import display_of, MissionDisplay, RunFacts
 from rvd_groundstation.console.server import Address, Server
 
 STEP_S = 0.1
@@ -82,7 +83,8 @@ class ToyConsole:
     """The page of the cart, served by a thread; `url` is what to open."""
 
     def __init__(self) -> None:
-        self.hub, self.sticks, self.provider = Hub(), [], ToyDisplay()
+        self.hub, self.sticks, self.provider = self.hub_of(), [], ToyDisplay()
+        self.answers, self.asked = True, []
         self._loop = asyncio.new_event_loop()
         self._over = asyncio.Event()
         up = threading.Event()
@@ -90,13 +92,15 @@ class ToyConsole:
         self._thread.start()
         assert up.wait(10.0)
 
+    def hub_of(self) -> Hub:
+        return Hub()
+
     def _run(self, up: threading.Event) -> None:
         self._loop.run_until_complete(self._serve(up))
 
     async def _serve(self, up: threading.Event) -> None:
         server = Server(self.hub, Address(port=0), None)
         self.url = await server.start()
-        self.hub.begin('cart', self.provider, self)
         flying = asyncio.create_task(self._fly())
         up.set()
         await self._over.wait()
@@ -104,6 +108,7 @@ class ToyConsole:
         await server.stop()
 
     async def _fly(self) -> None:
+        self.hub.begin('cart', self.provider, self)
         for step in range(100_000):
             if step >= BACK_STEPS:
                 self.hub.post('telemetry', telemetry(step))
@@ -119,7 +124,9 @@ class ToyConsole:
         return value
 
     def control(self, action, mode, reply) -> None:
-        reply(True, action)
+        self.asked.append(action)
+        if self.answers:
+            reply(True, action)
 
     def event(self, code, text) -> None:
         pass
@@ -130,6 +137,22 @@ class ToyConsole:
         """Let the run end with its verdict."""
         self.hub.post('final', VERDICT)
 
+    def cut(self) -> None:
+        """Let the connection of each page break."""
+        for client in list(self.hub.clients):
+            self._loop.call_soon_threadsafe(client.cut)
+
     def close(self) -> None:
         self._loop.call_soon_threadsafe(self._over.set)
         self._thread.join(10.0)
+
+
+class WaitingConsole(ToyConsole):
+    """The page of the lunar approach before the first run."""
+
+    def hub_of(self) -> Hub:
+        scenario = parse('/**: {ros__parameters: {}}', 'test')
+        return Hub(display=as_data(display_of(scenario).display))
+
+    async def _fly(self) -> None:
+        pass

@@ -8,14 +8,14 @@ export const COLOUR = {
   ok: '#56d6b0', alarm: '#ff7a5c', dim: '#8fa1b3', line: '#263544', text: '#dbe5ee',
 };
 
-// Whether WebGL is drawn by the processor: there each picture of a canvas that goes through it
+// Whether WebGL is drawn by the processor, or there is none: there each picture of a canvas that goes through it
 // costs more than drawing it at once, and so does every smoothed edge.
 export const SOFTWARE = !new URLSearchParams(location.search).has('fine')
   && /swiftshader|llvmpipe|softpipe|software|basic render/i.test(renderer());
 
 function renderer() {
   const gl = document.createElement('canvas').getContext('webgl2');
-  if (!gl) return '';
+  if (!gl) return 'software';
   const info = gl.getExtension('WEBGL_debug_renderer_info');
   const name = String(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
   gl.getExtension('WEBGL_lose_context')?.loseContext();

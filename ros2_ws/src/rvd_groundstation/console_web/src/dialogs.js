@@ -98,32 +98,6 @@ export function verdict(v, canFly, again) {
   });
 }
 
-export function stickSettings(stick) {
-  const s = stick.settings;
-  const row = (axis) => {
-    const { axis: index, sign } = stick.wiring(axis);
-    return `<tr><td>${escape(`${axis.positive} / ${axis.negative}`)}</td>
-    <td><label>${S.settings_axis} <input type="number" class="short" min="0" max="15" data-axis="${axis.name}" value="${index}"></label></td>
-    <td><label><input type="checkbox" data-invert="${axis.name}" ${sign < 0 ? 'checked' : ''}> ${S.settings_invert}</label></td></tr>`;
-  };
-  open(`<h3>${S.settings_title}</h3><p id="pad-name">${stick.gamepad ? escape(fill(S.settings_found, { name: stick.gamepad.id })) : S.settings_none}</p>
-    <table>${stick.axes.map(row).join('')}</table>
-    <p><label>${S.settings_button} <input type="number" class="short" min="0" max="31" id="pad-button" value="${s.button}"></label></p>
-    <p><label>${S.settings_dead_zone} <input type="range" min="0" max="0.4" step="0.01" id="pad-zone" value="${s.deadZone}"></label></p>
-    <p><label><input type="checkbox" id="hold-space" ${s.holdSpace ? 'checked' : ''}> ${S.settings_space}</label></p>
-    <div class="buttons">${closeButton}</div>`,
-  (dialog) => {
-    dialog.onchange = () => {
-      const wiring = ({ name }) => [name, { axis: Number(dialog.querySelector(`[data-axis="${name}"]`).value),
-        sign: dialog.querySelector(`[data-invert="${name}"]`).checked ? -1 : 1 }];
-      stick.change({ axes: { ...s.axes, ...Object.fromEntries(stick.axes.map(wiring)) },
-        button: Number(dialog.querySelector('#pad-button').value),
-        deadZone: Number(dialog.querySelector('#pad-zone').value),
-        holdSpace: dialog.querySelector('#hold-space').checked });
-    };
-  });
-}
-
 export function runsShown() {
   return box().open && box().querySelector('#runs') !== null;
 }

@@ -1,5 +1,7 @@
 // The page's side of the worker that holds the socket.
 
+import { recall, remember } from './storage.js';
+
 class Link {
   constructor(token) {
     this.token = token;
@@ -31,11 +33,14 @@ class Link {
     this.worker.postMessage({ stick: state, now });
   }
 
-  // Ask for something; the promise gives the reply.
-  ask(wish) {
+  // Ask for something; the promise gives the reply, or NO_ANSWER when none comes in `wait` ms.
+  ask(wish, wait = Infinity) {
     const id = ++this.number;
     return new Promise((resolve) => {
       this.waiting.set(id, resolve);
+      if (wait < Infinity) {
+        setTimeout(() => { if (this.waiting.delete(id)) resolve({ ok: false, code: 'NO_ANSWER' }); }, wait);
+      }
       this.worker.postMessage({ ask: { ...wish, id } });
     });
   }
@@ -47,10 +52,11 @@ class Link {
   }
 }
 
-const token = decodeURIComponent(location.hash.slice(1)) || sessionStorage.getItem('rvd.token') || '';
+// Where storage is blocked, the entry of the tab's history carries the token across a reload.
+const token = decodeURIComponent(location.hash.slice(1)) || recall('session', 'rvd.token') || history.state?.token || '';
 if (token) {
-  sessionStorage.setItem('rvd.token', token);
-  history.replaceState(null, '', location.pathname + location.search); // the token does not stay on a shared screen
+  remember('session', 'rvd.token', token);
+  history.replaceState({ token }, '', location.pathname + location.search); // the token does not stay on a shared screen
 }
 
 export const link = token ? new Link(token) : null;

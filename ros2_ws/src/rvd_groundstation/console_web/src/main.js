@@ -6,10 +6,13 @@ import * as dialogs from './dialogs.js';
 import { number } from './instruments.js';
 import { inForce } from './ladder.js';
 import { link } from './link.js';
+import { Orders } from './orders.js';
+import { padDialog } from './pads.js';
 import { Panels } from './panels.js';
 import { Review } from './review.js';
 import { Scene } from './scene.js';
 import { Stick, typing } from './stick.js';
+import { remembers } from './storage.js';
 import { Store } from './store.js';
 import { S, fill } from './strings.js';
 
@@ -33,6 +36,7 @@ let readFrame = null;
 let shownVerdict = null;
 const stick = new Stick((state, now) => link?.stick(state, now));
 const desk = new Desk(link);
+const orders = new Orders(link, store);
 const review = new Review(link, panels, () => refreshRun());
 
 function take(message) {
@@ -40,12 +44,13 @@ function take(message) {
     desk.show(message, store.status.lease === 'you');
     return;
   }
-  const phase = store.status.phase;
+  const { phase, lease } = store.status;
   store.take(message);
   if ((message.type === 'run' || message.type === 'hello') && !review.on) refreshRun();
   if (message.type === 'status') {
     if (message.phase === 'starting' && phase !== 'starting') dialogs.close();
     if (message.phase === 'ended' && phase === 'closing' && dialogs.runsShown()) review.list();
+    if (message.lease === 'you' && lease !== 'you') stick.taken();
     showStatus();
     desk.lease(message.lease === 'you');
   }
@@ -79,18 +84,18 @@ async function toggleLease() {
 }
 
 function setMode(mode) {
-  if (store.frame) link.ask({ do: 'mode', mode });
+  if (store.frame) orders.steer({ do: 'mode', mode });
 }
 
 function togglePause() {
-  if (store.frame) link.ask({ do: store.frame.paused ? 'resume' : 'pause' });
+  if (store.frame) orders.steer({ do: store.frame.paused ? 'resume' : 'pause' });
 }
 
 function abort() {
   const now = performance.now();
   if (now - armedAt < ARM_MS) {
     armedAt = -Infinity;
-    link.ask({ do: 'abort' });
+    orders.abort();
   } else {
     armedAt = now;
   }
@@ -116,7 +121,7 @@ function nextMode() {
 
 const PRESSES = {
   KeyT: toggleLease, KeyP: togglePause, KeyX: abort, KeyN: newRun, KeyV: () => panels.nextView(),
-  KeyL: () => review.list(), KeyG: () => dialogs.stickSettings(stick), Slash: () => dialogs.help(store.display),
+  KeyL: () => review.list(), KeyG: () => padDialog(stick, store.display), Slash: () => dialogs.help(store.display),
   KeyM: nextMode,
   Equal: () => scene.zoom(0.85), Minus: () => scene.zoom(1.18),
   BracketLeft: () => scene.turn(0.15, 0), BracketRight: () => scene.turn(-0.15, 0),
@@ -131,7 +136,7 @@ $('pause').onclick = togglePause;
 $('abort').onclick = abort;
 $('restart').onclick = newRun;
 $('open-review').onclick = () => review.list();
-$('open-settings').onclick = () => dialogs.stickSettings(stick);
+$('open-settings').onclick = () => padDialog(stick, store.display);
 $('open-help').onclick = () => dialogs.help(store.display);
 for (const button of document.querySelectorAll('[data-mode]')) button.onclick = () => setMode(button.dataset.mode);
 
@@ -162,7 +167,9 @@ function banner(words, small, alarm) {
 
 function showBanner(silence) {
   const { status, frame, run, verdict } = store;
-  if (!store.connected && link) banner(S.socket_closed, '', true);
+  const ordered = orders.words();
+  if (ordered) banner(...ordered, true);
+  else if (!store.connected && link) banner(S.socket_closed, '', true);
   else if (status.phase === 'idle') banner(S.idle, S.idle_text);
   else if (status.phase === 'starting') banner(S.starting, status.run || '');
   else if (status.note === 'failed') banner(S.run_failed, '', true);
@@ -170,7 +177,12 @@ function showBanner(silence) {
   else if (store.abortAt !== null && !verdict && frame) {
     const acts = [...store.ladder.values()].some(inForce);
     const does = store.display.abort;
-    banner(acts ? does ? fill(S.aborted_so, { does }) : S.aborted : fill(S.abort_sent, { s: Math.max(0, run.forward_s - (frame.t - store.abortAt)).toFixed(0) }), '', true);
+    const since = frame.t - store.abortAt;
+    // Telemetry of the step in which it acts at the latest has come down by then, if any has.
+    const late = since > run.forward_s + run.back_s + 2 * run.step_s + STALE_S;
+    if (acts) banner(does ? fill(S.aborted_so, { does }) : S.aborted, '', true);
+    else if (late) banner(S.abort_untold, fill(S.abort_untold_hint, { s: since.toFixed(0) }), true);
+    else banner(fill(S.abort_sent, { s: Math.max(0, run.forward_s - since).toFixed(0) }), '', true);
   } else if (status.pilot_lost) banner(S.pilot_lost, '', true);
   else if (frame?.paused) banner(S.paused, '');
   else if (frame && !store.measured && status.phase === 'flying') banner(S.no_telemetry, fill(S.first_in, { s: Math.max(0, run.back_s - frame.t).toFixed(0) }));
@@ -181,11 +193,20 @@ function showBanner(silence) {
 function showStick() {
   const mine = store.status.lease === 'you';
   const held = stick.state().held;
-  const words = !mine ? S.stick_watch : !stick.axes.length ? S.stick_none : held ? `${S.stick_held} · ${S[stick.source]}` : S.stick_open;
+  const stuck = stick.stuck();
+  const words = !mine ? S.stick_watch : !stick.axes.length ? S.stick_none : stick.gone() ? S.stick_gone
+    : stuck.length ? fill(S.stick_stuck, { axes: stuck.join(', ') }) : held ? `${S.stick_held} · ${S[stick.source]}` : S.stick_open;
   say($('stick-state'), words);
-  $('stick-state').className = !mine ? 'dim' : held ? 'ok' : 'alarm';
+  $('stick-state').className = !mine ? 'dim' : held && !stuck.length ? 'ok' : 'alarm';
   const step = store.display?.controller?.step_name;
   say($('step'), mine && stick.source === 'keyboard' && stick.deflections.length > 1 ? `${step} ${stick.step}` : '');
+}
+
+// What this browser cannot do, and what its pads lack.
+function showNotes() {
+  const notes = [scene.webgl ? '' : S.no_webgl, remembers ? '' : S.no_storage, stick.axes.length ? S.pad_notes[stick.lacks()] : ''];
+  say($('notes'), notes.filter(Boolean).join(' · '));
+  $('notes').title = $('notes').textContent;
 }
 
 function showClocks(frame, now) {
@@ -202,6 +223,7 @@ function showFrame() {
   const silence = store.silence();
   showBanner(silence);
   showStick();
+  showNotes();
   say($('pause'), frame?.paused ? S.resume : S.pause);
   for (const button of document.querySelectorAll('[data-mode]')) {
     button.setAttribute('aria-pressed', String(button.dataset.mode === (frame?.mode || run?.mode)));

@@ -1,9 +1,10 @@
 // The scene: one WebGL canvas behind the page, drawn into the rectangles of two elements: the
-// view that was chosen and, where the mission has one, the camera.
+// view that was chosen and, where the mission has one, the camera. Without WebGL its lines alone.
 
 import * as THREE from 'three';
 import { Path, Tube, colourOf, figure, sky, surface } from './shapes.js';
 import { SOFTWARE } from './canvas.js';
+import { OutlineRenderer } from './outline.js';
 import { DIRECTIONS, along, part, place, trailOf } from './data.js';
 import { S, fill } from './strings.js';
 
@@ -22,9 +23,16 @@ export class Scene {
   constructor(canvas, view, camera, labels) {
     this.elements = { view, camera, labels };
     this.canvas = canvas;
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: !SOFTWARE, alpha: false,
-      powerPreference: 'high-performance', preserveDrawingBuffer: true }); // see `draw`
-    this.renderer.autoClear = false;
+    const looks = { antialias: !SOFTWARE, alpha: false, powerPreference: 'high-performance', preserveDrawingBuffer: true }; // see `draw`
+    const context = canvas.getContext('webgl2', looks);
+    this.webgl = context !== null;
+    if (this.webgl) {
+      this.renderer = new THREE.WebGLRenderer({ canvas, context, ...looks });
+      this.renderer.autoClear = false;
+      canvas.addEventListener('webglcontextlost', () => this.outline());
+    } else {
+      this.renderer = new OutlineRenderer(canvas);
+    }
     this.scene = new THREE.Scene();
     this.scene.add(new THREE.HemisphereLight(0xdfe9ff, 0x2a2a2a, 0.9));
     const sun = new THREE.DirectionalLight(0xffffff, 2.3);
@@ -43,6 +51,15 @@ export class Scene {
     const observer = new ResizeObserver(() => this.resize());
     for (const element of [view, camera]) observer.observe(element);
     addEventListener('resize', () => this.resize());
+  }
+
+  // Go on without WebGL: the driver took it away, and may again.
+  outline() {
+    const canvas = this.canvas.cloneNode(false); // a canvas keeps its first kind of context
+    this.canvas.replaceWith(canvas);
+    this.renderer.dispose();
+    Object.assign(this, { canvas, webgl: false, renderer: new OutlineRenderer(canvas) });
+    this.resize();
   }
 
   // A slow machine gets fewer pixels rather than fewer pictures: called once per picture drawn.
@@ -342,6 +359,7 @@ export class Scene {
     const shots = [was, false].map((visible) => {
       object.visible = visible;
       this.draw();
+      if (!this.webgl) return this.renderer.pixels();
       const gl = this.renderer.getContext();
       const data = new Uint8Array(gl.drawingBufferWidth * gl.drawingBufferHeight * 4);
       gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, data);

@@ -55,7 +55,10 @@ export class Store {
     this.frameAt = performance.now();
     this.rungs(frame.ladder);
     this.history.add(frame);
-    if (this.sent?.parts.kind === ABORT && this.abortAt === null) this.abortAt = frame.t;
+    if (this.sent?.parts.kind === ABORT && this.abortAt === null) {
+      const first = [...this.ladder.values()].find((rung) => rung.kind === ABORT);
+      this.abortAt = (first?.sent ?? frame.k) * this.run.step_s;
+    }
   }
 
   // The newest of what is shown as measured, as predicted, and of the command that was sent.

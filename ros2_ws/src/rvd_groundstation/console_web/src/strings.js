@@ -26,6 +26,12 @@ export const S = {
   pilot_lost: 'PILOT LOST: the automatic half flies alone',
   stale_frames: 'NO DATA FOR {s} s', aborted: 'ABORT in force', aborted_so: 'ABORT in force: {does}',
   abort_sent: 'ABORT sent, acting in about {s} s',
+  abort_asked: 'ABORT: waiting for the answer', abort_unconfirmed: 'ABORT NOT CONFIRMED',
+  abort_again: 'no answer; asked {n} times, asking again', abort_accepted: 'ABORT accepted, goes out with the next frame',
+  abort_untold: 'ABORT sent, NOT ACKNOWLEDGED', abort_untold_hint: 'sent {s} s ago; telemetry has not told whether it is in force',
+  unconfirmed: '{name} NOT CONFIRMED', unconfirmed_hint: 'The run did not answer in 2 s. Try again.',
+  no_webgl: 'No WebGL: the scene is drawn in lines', no_storage: 'Storage is blocked: settings are not remembered',
+  stick_gone: 'GAMEPAD GONE: automatic alone flies', stick_stuck: 'NOT AT REST: {axes} counts as 0 until it has been centred',
   run_failed: 'The run could not be flown: see the terminal',
   verdict_title: 'Verdict', verdict_time: 'time',
   fly_again: 'Fly again (N)', close: 'Close', cancel: 'Cancel', start: 'Start', seed: 'seed', mode: 'mode',
@@ -38,7 +44,16 @@ export const S = {
   age: 'age {s} s', ago: '{s} s ago', ahead: 'in {s} s', now: 'now',
   settings_title: 'The stick', settings_dead_zone: 'dead zone', settings_axis: 'axis', settings_invert: 'inverted',
   settings_button: 'dead-man button', settings_space: 'keyboard: hold Space as dead-man',
-  settings_none: 'No gamepad seen. Press a button on it.', settings_found: 'Gamepad: {name}',
+  settings_none: 'No gamepad seen. Press a button on it.', settings_pads: 'Gamepads', settings_now: 'now',
+  pad_notes: { '': '', choose: 'Several gamepads: choose one under Stick (G)', setup: 'The gamepad must be set up under Stick (G) before it flies' },
+  pad_plain: 'no standard mapping', pad_live: 'axes {axes} · pressed {buttons}', pad_nothing: 'none',
+  pad_choose: 'Several gamepads are connected: choose one.',
+  pad_setup: 'This gamepad has no standard mapping: its axes and buttons may be anything. It does not fly before each axis and the dead-man button have been set.',
+  pad_ready: 'This gamepad is set up.', pad_start: 'Set it up step by step', pad_next: 'Next', pad_skip: 'No such axis', pad_stop: 'Stop',
+  pad_rest: 'Let go of all its sticks, triggers and buttons, then go on.',
+  pad_move: 'Push the stick all the way for {what} ({name}).', pad_back: 'Let it go.',
+  pad_trigger: 'Axis {axis} does not rest at 0, as a trigger does not: take another.',
+  pad_hold: 'Press the button that is to be held while flying.',
   help_title: 'Keys', help_step: '{name} of the keys', or: 'or',
   review_truth: 'Review shows the truth. It never reaches this page while a run is flown.',
   unknown: '–',
@@ -91,7 +106,7 @@ export const REASONS = ['', 'nothing due', 'wrong length', 'checksum', 'out of o
 export const LADDER = ['sent', 'due', 'executed', 'effect seen', 'refused', 'missed', 'unknown'];
 export const REFUSED = {
   LEASE: 'Take the stick first (T).', TAKEN: 'Another page has the stick.', NO_RUN: 'No run is under way.',
-  NO_FLY: S.no_fly, DESK: 'The session says what is flown.', MODE: 'No such mode.', SEED: 'The seed must be a whole number.',
+  NO_FLY: S.no_fly, NO_ANSWER: 'The run did not answer.', DESK: 'The session says what is flown.', MODE: 'No such mode.', SEED: 'The seed must be a whole number.',
 };
 
 export function fill(text, values) {
