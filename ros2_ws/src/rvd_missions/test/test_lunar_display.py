@@ -1,17 +1,19 @@
 """What a page is shown: signals, what is derived of them, and never the truth."""
 
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from rvd_dynamics.diagram.display import DERIVED, TRUTH
 from rvd_dynamics.diagram.scenario import parse
-from rvd_dynamics.geometry.cone import signed_distance
+from rvd_dynamics.geometry.cone import control_boundary, signed_distance
 from rvd_dynamics.motion.cw import propagate
 from rvd_groundstation.console.decode import Heard, Lost, Sample
 from rvd_groundstation.console.feed import Feed
 from rvd_groundstation.console.protocol import encode
 from rvd_groundstation.console.provider import display_of, facts_of, on_ground
+from rvd_missions.lunar_approach import campaign_figures, figures
 from rvd_missions.lunar_approach.display import LunarDisplay
 
 SCENARIO = parse('/**: {ros__parameters: {operator: console}}', 'test')
@@ -181,3 +183,31 @@ def test_a_frame_holds_the_displayed_parts_and_no_other():
         if name != DERIVED:
             assert set(signal['parts']) <= wanted[name], name
     assert len(encode(frame)) < 6000            # [bytes], with the whole ladder of 31 rungs
+
+
+# -- the closing rate for which the control boundary is drawn ----------------------------------
+
+@pytest.mark.parametrize('text, rate', [
+    ('auto_controller: {ros__parameters: {corridor_apf: {closing_rate_m_s: 0.4}}}', 0.4),
+    ('auto_controller: {ros__parameters: {law: damped_apf, damped_apf: {closing_rate_m_s: 0.1}}}',
+     0.1),
+    ('/**: {ros__parameters: {start: {velocity_m_s: [0.15, 0.0, 0.0]}}}\n'
+     'auto_controller: {ros__parameters: {law: barrier}}', 0.15),
+    ('/**: {ros__parameters: {start: {velocity_m_s: [0.0, 0.0, 0.0]}}}\n'
+     'auto_controller: {ros__parameters: {law: none}}\n'
+     'operator_model: {ros__parameters: {closing_rate_m_s: 0.2}}', 0.2),
+    ('/**: {ros__parameters: {}}', 0.25)])
+def test_page_figures_and_markers_draw_the_boundary_of_the_laws_own_rate(text, rate):
+    scenario, x = parse(text, 'test'), np.linspace(-30.0, 0.0, 31)
+    cone, orbit = scenario.part('cone'), scenario.part('orbit')
+    right = control_boundary(x, cone, orbit.mean_motion, rate, scenario.part('leg_params').loop_s)
+    assert scenario.part('approach_rate_m_s') == rate
+    np.testing.assert_array_equal(display_of(scenario)._boundary(x), right)
+    np.testing.assert_array_equal(figures._boundary(SimpleNamespace(scenario=scenario), x), right)
+    np.testing.assert_array_equal(campaign_figures._boundary(scenario, x), right)
+
+
+def test_markers_take_the_rate_of_the_scenario_unless_told_another():
+    assert parse('/**: {ros__parameters: {}}', 'test').settings('markers').boundary_rate_m_s == 0.0
+    with pytest.raises(ValueError, match='boundary_rate_m_s must be 0 or at least 0.01, got 0.005'):
+        parse('markers: {ros__parameters: {boundary_rate_m_s: 0.005}}', 'test')

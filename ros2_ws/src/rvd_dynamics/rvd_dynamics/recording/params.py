@@ -2,7 +2,8 @@
 Settings of the nodes that watch: the recorder and the markers.
 """
 
-from rvd_dynamics.diagram.params import param, settings
+from rvd_dynamics.diagram.params import param, require, settings
+from rvd_dynamics.geometry.cone import SLOWEST_RATE
 
 
 @settings
@@ -24,6 +25,11 @@ class MarkerParams:
         2.0, 'Half axes of the uncertainty ellipsoid, in standard deviations.',
         above=0.0, high=10.0)
     boundary_rate_m_s: float = param(
-        0.25, 'Closing rate for which the control boundary is drawn [m/s].', low=0.01, high=10.0)
+        0.0, 'Closing rate for which the control boundary is drawn, where 0 selects that of the '
+        'law or the start [m/s].', low=0.0, high=10.0)
     show_truth: bool = param(
         False, 'Whether to draw the true track, which nobody on the ground could see.')
+
+    def __post_init__(self) -> None:
+        require(not 0.0 < self.boundary_rate_m_s < SLOWEST_RATE, 'boundary_rate_m_s',
+                f'be 0 or at least {SLOWEST_RATE:g}', self.boundary_rate_m_s)

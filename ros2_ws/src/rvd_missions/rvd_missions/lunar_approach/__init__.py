@@ -40,6 +40,7 @@ MISSION = Mission(
         'paced': f'{HERE}.settings:paced',
         'sharing': f'{HERE}.ground:sharing',
         'law': f'{HERE}.ground:law',
+        'approach_rate_m_s': f'{HERE}.ground:approach_rate_m_s',
         'tape': f'{HERE}.ground:tape',
     },
     checked=('paced', 'legs'),

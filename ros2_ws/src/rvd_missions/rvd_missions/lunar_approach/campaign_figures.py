@@ -95,7 +95,8 @@ def _left_boundary(scenario: Scenario, states: NDArray[np.float64]) -> float:
 
 def _boundary(scenario: Scenario, x: NDArray[np.float64]) -> NDArray[np.float64]:
     return cone.control_boundary(x, scenario.part('cone'), scenario.part('orbit').mean_motion,
-                                 delay=scenario.part('leg_params').loop_s)
+                                 scenario.part('approach_rate_m_s'),
+                                 scenario.part('leg_params').loop_s)
 
 
 def _side_view(axes: 'Axes', scenario: Scenario, states: NDArray[np.float64], lateral: int

@@ -36,7 +36,6 @@ HORIZON_S = 240                 # [s] how far free drift is followed
 DRIFT_POINTS = 24               # points of the line where the chaser drifts if nothing is done
 FARTHEST_M = -36.0              # [m] first station at which the corridor is drawn
 STATIONS = 61                   # at which the control boundary is
-NOMINAL_RATE_M_S = 0.25         # [m/s] the boundary's approach rate (specification of eq. 18)
 LEAST_EXTENT_M = 0.36           # [m] of the cross-section, which shrinks with the corridor
 AIM_FROM_M = -0.2               # [m] nearer than this the aim on the camera says nothing
 
@@ -50,8 +49,9 @@ class LunarDisplay(MissionDisplay):
     heard_nodes = ('command_blender', 'state_predictor', 'auto_controller', 'console')
 
     def __init__(self, facts: RunFacts, orbit: OrbitParams, start: StartParams, cone: Cone,
-                 docking: DockingParams, stick: StickParams) -> None:
+                 docking: DockingParams, stick: StickParams, approach_rate_m_s: float) -> None:
         self._orbit, self._cone, self._docking, self._stick = orbit, cone, docking, stick
+        self._rate_m_s = approach_rate_m_s
         self._start_m = tuple(start.position_m)
         self._loop_s = facts.forward_s + facts.back_s
         self._horizon = np.linspace(0.0, HORIZON_S, HORIZON_S + 1)
@@ -87,7 +87,7 @@ class LunarDisplay(MissionDisplay):
         return float(radius(min(float(state[0]), 0.0), self._cone))
 
     def _boundary(self, station: Any) -> NDArray:
-        return control_boundary(station, self._cone, self._orbit.mean_motion, NOMINAL_RATE_M_S,
+        return control_boundary(station, self._cone, self._orbit.mean_motion, self._rate_m_s,
                                 self._loop_s)
 
     def _section(self, state: NDArray | None) -> dict[str, Any]:

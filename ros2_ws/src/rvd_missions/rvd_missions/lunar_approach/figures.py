@@ -71,7 +71,7 @@ def _boundary(run: Recording, x: NDArray) -> NDArray:
     """Return the radius of the control boundary [m] at stations `x` [m]."""
     part = run.scenario.part
     return cone.control_boundary(x, part('cone'), part('orbit').mean_motion,
-                                 delay=part('leg_params').loop_s)
+                                 part('approach_rate_m_s'), part('leg_params').loop_s)
 
 
 def _shown(state: NDArray, lateral: int) -> tuple[NDArray, NDArray]:

@@ -12,7 +12,7 @@ from rvd_dynamics.diagram.control import Control
 from rvd_dynamics.diagram.run import Legs, Run
 from rvd_dynamics.diagram.scenario import Scenario
 from rvd_dynamics.diagram.streams import PilotDraws
-from rvd_dynamics.geometry.cone import Cone
+from rvd_dynamics.geometry.cone import Cone, SLOWEST_RATE
 from rvd_dynamics.motion.orbit import OrbitParams, StartParams
 from rvd_groundstation.guidance import Law
 from rvd_groundstation.operators.pilot import Pilot, PilotParams
@@ -37,6 +37,21 @@ def sharing(scenario: Scenario) -> Sharing:
 def law(scenario: Scenario) -> Law:
     """Return the guidance law, with what it asks for besides its settings."""
     return scenario.wired(scenario.settings('auto_controller').selected)
+
+
+def approach_rate_m_s(scenario: Scenario) -> float:
+    """
+    Return the closing rate for which the control boundary is drawn [m/s].
+
+    The one that the law assumes; that of the start where it assumes none, or the one that the
+    pilot keeps where the approach does not close when it starts.
+    """
+    assumed = getattr(scenario.settings('auto_controller').selected, 'closing_rate_m_s', None)
+    if assumed is not None:
+        return assumed
+    start = scenario.part('start').velocity_m_s[0]
+    return start if start >= SLOWEST_RATE else max(
+        scenario.settings('operator_model').closing_rate_m_s, SLOWEST_RATE)
 
 
 def tape(scenario: Scenario) -> Tape:

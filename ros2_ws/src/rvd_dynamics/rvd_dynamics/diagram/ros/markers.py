@@ -65,7 +65,8 @@ class Markers(RunNode):
                 self._trails[topic] = self._viewed(f'/viz/trail/{trail}', qos.VIEW)
                 self._paths[topic] = Path(header=Header(frame_id=self.run.frame_id))
         self._pictures = 0
-        still = still_scene(self.scenario, self._params.boundary_rate_m_s)
+        still = still_scene(self.scenario, self._params.boundary_rate_m_s
+                            or self.scenario.part('approach_rate_m_s'))
         for topic, markers in still.items():
             self._viewed(topic, qos.LATCHED).publish(markers)
         self._say_where()
