@@ -14,13 +14,14 @@ import toy_mission
 from toy_mission import WANTED
 
 from rvd_dynamics.diagram import in_process
-from rvd_dynamics.diagram.block import held
+from rvd_dynamics.diagram.block import held, now
 from rvd_dynamics.diagram.diagram import GROUPINGS
 from rvd_dynamics.diagram.ros import inputs
 from rvd_dynamics.diagram.ros.codecs import Parts
 from rvd_dynamics.diagram.ros.inputs import HELD_FOR_S, HeldInput
 from rvd_dynamics.diagram.ros.host import Host, listen_for_the_end, run
 from rvd_dynamics.diagram.ros.main import make
+from rvd_dynamics.diagram.ros.qos import DEPTH
 
 
 @pytest.fixture(autouse=True)
@@ -316,6 +317,55 @@ def test_a_process_that_falls_behind_the_clock_gives_its_blocks_their_inputs(pro
     for name in complete:
         node = side_by_side.node(name)
         assert (node.missing_count, node.late_count, node.step) == (0, 0, 20), name
+
+
+# -- a step that cannot be ----------------------------------------------------------------------
+
+HOSTILE = [2**64 - 1, 2**63, 10**6]
+
+
+@pytest.mark.parametrize('step', HOSTILE)
+def test_a_message_from_beyond_the_run_is_left_out_at_once_and_said_once(guard, step):
+    said = []
+    guard.event = lambda code, text: said.append((code, text))
+    guard.host.work()
+    for _ in range(3):
+        send(guard, 'wanted', step, command=[9.0], count=9)
+    given_to = guard._inputs['wanted']
+    assert guard.step == 0 and given_to.held == {}
+    (code, text), = said
+    topic = guard.block.reads['wanted'].signal.name
+    assert code == 'REFUSED' and all(str(word) in text for word in (step, topic, given_to.bound()))
+    assert '3 left out' in guard.trouble['refused']
+    send(guard, 'wanted', 0, command=[0.5], count=0)        # and the run goes on
+    send(guard, 'measured', 0, state=[1.0, 2.0])
+    assert guard.step == 1
+
+
+def an_input(period=1, last_step=10**9):
+    return inputs.Input(now(WANTED), period, None, last_step)
+
+
+@pytest.mark.parametrize('period', [1, 5])
+def test_no_more_is_held_than_a_queue_holds(period):
+    given_to = an_input(period)
+    given_to.need = 100 * period
+    last_one = (100 + DEPTH) * period
+    assert given_to.believes(last_one) and not given_to.believes(last_one + 1)
+
+
+def test_a_reader_that_was_stopped_believes_a_writer_that_goes_on():
+    stopped = an_input()
+    assert not stopped.believes(50_000)
+    assert stopped.believes(50_001)
+    lone = an_input()
+    assert not lone.believes(50_000) and lone.believes(3) and not lone.believes(400_000)
+
+
+def test_nobody_goes_on_past_the_end_of_the_run():
+    assert [an_input(last_step=400).believes(k) for k in (400, 401)] == [True, False]
+    given_to = an_input(last_step=400)
+    assert not any(given_to.believes(2**63 + i) for i in range(5))
 
 
 # -- a held stick ------------------------------------------------------------------------------

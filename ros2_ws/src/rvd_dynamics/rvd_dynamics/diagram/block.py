@@ -31,13 +31,16 @@ class Read:
     One input of a block: a signal, some base steps ago.
 
     `held` inputs do not make the block wait: it takes the newest message of the last half second
-    of wall time (a hand on a stick). `optional` names the optional parts that the block uses.
+    of wall time (a hand on a stick). `optional` names the optional parts that the block uses. `late`
+    names an argument of `step` that gets, in a graph, what came after the firing that was to have it:
+    a dict of values by the step in which they were written.
     """
 
     signal: Signal
     delay: int = 0
     held: bool = False
     optional: tuple[str, ...] = ()
+    late: str = ''
 
     def __post_init__(self) -> None:
         if self.delay < 0:
@@ -49,9 +52,9 @@ def now(signal: Signal, *optional: str) -> Read:
     return Read(signal, 0, optional=optional)
 
 
-def last(signal: Signal, *optional: str) -> Read:
+def last(signal: Signal, *optional: str, late: str = '') -> Read:
     """Read a signal of the step before."""
-    return Read(signal, 1, optional=optional)
+    return Read(signal, 1, optional=optional, late=late)
 
 
 def held(signal: Signal) -> Read:

@@ -49,6 +49,9 @@ class BlockNode(FiringNode):
         """Compute and publish."""
         for name, source in self._held.items():
             values[name] = source.value(k)
+        for name, read in self.block.reads.items():
+            if read.late:
+                values[read.late] = self._inputs[name].take_late()
         if self.block.control:
             values['control'] = self._control
         outputs = self._compute(k, **values)

@@ -31,6 +31,7 @@ class FiringNode(RunNode):
         self.block = block
         self.realtime = self.run.pace == 'realtime'
         self.missing_count = self.late_count = 0
+        self.refused_count: dict[str, int] = {}
         self._next = 0
         self._gate = Gate()
         self._inputs: dict[str, Input] = {}
@@ -53,7 +54,8 @@ class FiringNode(RunNode):
             if read.held:
                 self._hold(name, read, codec)
                 continue
-            self._inputs[name] = Input(read, writer.period if writer else 1, codec)
+            self._inputs[name] = Input(read, writer.period if writer else 1, codec,
+                                       self.run.last_step)
             if self.host.is_local(read.signal.name):
                 self._inputs[name].by_hand = codec is not None and not codec.frames
                 self.host.take(read.signal.name, self._taker(name, codec))
@@ -133,6 +135,11 @@ class FiringNode(RunNode):
             if first < self._next and given.wanted(first) == step:     # fired without it
                 self.late_count += 1
                 self.trouble['late'] = f'{self.late_count} messages came after their step'
+                if given.keeps_late:
+                    given.late[step] = item
+            return
+        if not given.believes(step):
+            self._refuse(given, step)
             return
         given.held[step] = item
         if self.realtime:
@@ -141,6 +148,14 @@ class FiringNode(RunNode):
                 self.fire()
         if self._gated:
             self._look_at_gate()
+
+    def _refuse(self, given: Input, step: int) -> None:
+        """Leave out a message whose step cannot be; say so once for each topic."""
+        self.refused_count[given.topic] = self.refused_count.get(given.topic, 0) + 1
+        text = f'step {step} on {given.topic} is beyond {given.bound()}, the last that can be due'
+        if self.refused_count[given.topic] == 1:
+            self.event('REFUSED', f'{text}: left out; another node writes there or has lost count')
+        self.trouble['refused'] = f'{text}: {sum(self.refused_count.values())} left out so far'
 
     def _look_at_gate(self) -> None:
         self._gate.open = self._last.there()

@@ -6,6 +6,7 @@ from typing import Any, Callable
 from rclpy.callback_groups import CallbackGroup
 
 from rvd_dynamics.diagram.block import Read
+from rvd_dynamics.diagram.ros.qos import DEPTH
 
 HELD_FOR_S = 0.5                # [s] wall time after which a held stick is nobody's
 
@@ -37,12 +38,19 @@ class Input:
     ----------
     need : int
         Step of the writer whose output the next firing gets; -1: before the start.
+    late : dict
+        What came after the firing that was to have it, for a block that asks for it.
     """
 
-    def __init__(self, read: Read, period: int, codec: Any) -> None:
+    def __init__(self, read: Read, period: int, codec: Any, last_step: int) -> None:
+        self.topic = read.signal.name
         self.delay, self.period, self.codec = read.delay, period, codec
         self.held: dict[int, Any] = {}          # message, or what passed by hand
+        self.late: dict[int, Any] = {}
+        self.keeps_late = bool(read.late)
         self.by_hand = False
+        self._last_step = last_step
+        self._refused = -1                      # step of the last message that was refused
         self.start = read.signal.initial(())
         self.need = self.wanted(0)
 
@@ -54,6 +62,24 @@ class Input:
     def first_use(self, step: int, period: int) -> int:
         """Return the first firing of a block of this period that needs step `step` or later."""
         return -(-(step + self.delay) // period) * period
+
+    def bound(self) -> int:
+        """Return the last step that is believed: a queue ahead, and within the run."""
+        return min(max(self.need, 0) + DEPTH * self.period, self._last_step)
+
+    def believes(self, step: int) -> bool:
+        """
+        Say whether a message of `step` can be one of this run.
+
+        A writer is never further ahead than its queue is deep; a stray number would have the node
+        fire for ever, and fill its memory. A reader that was stopped for longer sees the writer go
+        on from where it was refused, and believes that.
+        """
+        if step <= self.bound():
+            return True
+        goes_on = 0 <= self._refused < step <= self._refused + DEPTH * self.period
+        self._refused = step
+        return goes_on and step <= self._last_step
 
     def there(self) -> bool:
         """Say whether what the next firing needs is here."""
@@ -68,7 +94,15 @@ class Input:
         item = self.held.get(self.need)
         if item is None:
             return self.codec.missing(self.need)
-        return item if self.by_hand else self.codec.decode(self.need, item)
+        return self._decoded(self.need, item)
+
+    def take_late(self) -> dict[int, Any]:
+        """Return what came too late since the last firing, by the step of its writer."""
+        late, self.late = self.late, {}
+        return {step: self._decoded(step, item) for step, item in sorted(late.items())}
+
+    def _decoded(self, step: int, item: Any) -> Any:
+        return item if self.by_hand else self.codec.decode(step, item)
 
     def advance(self, k: int) -> None:
         """Turn to firing k, and drop what neither it nor a later one needs."""
