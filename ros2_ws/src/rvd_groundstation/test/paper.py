@@ -8,7 +8,6 @@ from rvd_dynamics.diagram.build import wired
 from rvd_dynamics.diagram.run import LegParams, Legs, Run
 from rvd_dynamics.geometry.cone import Cone
 from rvd_dynamics.motion.orbit import OrbitParams, StartParams
-from rvd_groundstation.operators.operation import Operation
 from rvd_groundstation.operators.pilot import Pilot
 from rvd_groundstation.prediction.predictor import Predictor
 from rvd_groundstation.prediction.score import Score
@@ -24,7 +23,6 @@ class Paper:
     back_delay_s: float = 5.0
     cone: Cone = Cone()
     thrust: ThrustParams = ThrustParams()
-    mode: str = 'shared'
     orbit: OrbitParams = OrbitParams()
     start: StartParams = StartParams()
 
@@ -43,10 +41,6 @@ class Paper:
     @property
     def form(self) -> LevelForm:
         return LevelForm(self.thrust)
-
-    @property
-    def operation(self) -> Operation:
-        return Operation(mode=self.mode)
 
     def law(self, kind: type, sharing: Any = Eq25(), **settings: Any) -> Any:
         """Return a law with these settings, wired as a scenario does it."""

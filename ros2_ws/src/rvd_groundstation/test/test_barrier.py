@@ -205,8 +205,6 @@ def test_without_a_stick_the_pilot_is_neutral_and_nothing_is_blended(sharing):
     expected = PAPER.law(Barrier).outcome(state, neutral)
     assert np.abs(expected).max() > 1
     assert_array_equal(PAPER.levels(PAPER.law(Barrier, sharing=sharing), state, None), expected)
-    auto = replace(PAPER, mode='auto').law(Barrier, sharing=sharing)
-    assert_array_equal(PAPER.levels(auto, state, sticks(500, 18)), expected)
 
 
 @settings(deadline=None, max_examples=200)

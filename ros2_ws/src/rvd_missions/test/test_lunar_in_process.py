@@ -185,7 +185,7 @@ class Graph:
         seen = self.predictor.advance(k, sample, received, self.command)
         error = self.score.advance(seen, sample, received).error
         pilot, pilot_valid = self.stick(k, seen)
-        auto = self.form.quantise(self.law.wanted(seen.predicted, pilot if pilot_valid else None))
+        auto = self.form.quantise(self.law.wanted(seen.predicted, pilot if pilot_valid and self.mode != 'auto' else None))
         d = decide(self.mode, self.sharing, pilot, pilot_valid, auto, seen.valid)
         self.command = np.zeros(3, dtype=np.int8) if self.aborting else d.levels
         return {'truth': self.state, 'acceleration': self.acceleration, 'measured': measured,
@@ -288,6 +288,28 @@ def test_an_abort_is_the_same_alone_and_in_any_company():
 def test_a_change_of_mode_takes_effect_in_its_step(name, schedule, deciders, case):
     steps = require_same_as_by_hand(case(name), 6, schedule)
     assert deciders <= {int(step['decided_by']) for step in steps}
+
+
+@pytest.mark.parametrize('schedule', [
+    [Change(60, mode='auto'), Change(110, mode='shared')],
+    [Change(60, mode='manual'), Change(75, mode='auto')],
+    [Change(60, mode='auto'), Change(61, mode='shared'), Change(62, mode='auto')]])
+def test_a_law_that_looks_at_the_stick_is_told_the_mode_of_its_step(schedule, case):
+    """In mode auto the wanted level goes out itself, else the one whose blend comes nearest."""
+    scenario = case('barrier in eq 25')
+    flown, law = fly(scenario, range(40), record=True, schedule=schedule), scenario.part('law')
+    predicted, stick, auto = (history_of(flown, name) for name in ('predicted', 'pilot', 'auto'))
+    told, differ = {change.step: change.mode for change in schedule}, 0
+    mode = scenario.part('operation').mode
+    for k in range(30, 140):
+        mode = told.get(k, mode)
+        right, wrong = law.wanted(predicted[k], None), law.wanted(predicted[k], stick[k])
+        if mode != 'auto':
+            right, wrong = wrong, right
+        alive = k <= flown.end_step
+        assert_array_equal(scenario.part('form').quantise(right)[alive], auto[k][alive], k)
+        differ += int((right != wrong).any())
+    assert differ > 20
 
 
 def test_an_abort_keeps_the_chaser_from_the_docking_plane():

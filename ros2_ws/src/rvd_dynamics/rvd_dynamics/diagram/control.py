@@ -9,10 +9,11 @@ from typing import NamedTuple
 
 
 class Control(NamedTuple):
-    """What has been asked for by a step."""
+    """What is in force in a step; one block of a diagram gets it."""
 
     mode: str = ''                      # empty where the mission has no modes
     abort: bool = False
+    next_mode: str = ''                 # mode of the next step, for who must tell other blocks
 
 
 @dataclass(frozen=True)

@@ -200,6 +200,7 @@ class Loop:
         self._record = _recorded(self._diagram, record)
         self._schedule = {change.step: change for change in schedule}
         self._control = [Control(*_mode_of(scenario))]
+        self._control[0] = self._control_of(0)
         self._aborts = min((c.step for c in schedule if c.abort), default=None)
         delays: dict[str, list[int]] = {}
         for block in self._diagram.blocks:
@@ -268,10 +269,8 @@ class Loop:
 
     def advance(self, step: int) -> None:
         """Do everything that happens in one step."""
-        change = self._schedule.get(step)
-        if change is not None:
-            before = self._control[0]
-            self._control[0] = Control(change.mode or before.mode, change.abort or before.abort)
+        if step in self._schedule or step + 1 in self._schedule:
+            self._control[0] = self._control_of(step)
         for block, fire, period, sources, outputs in self._plan:
             if step % period:
                 continue
@@ -291,6 +290,13 @@ class Loop:
         if np.count_nonzero(final):
             self.end_step[final & ~self.ended] = step
             self.ended |= final
+
+    def _control_of(self, step: int) -> Control:
+        """Return what is in force in a step, by the schedule."""
+        before, nothing = self._control[0], Change(step)
+        change, after = self._schedule.get(step, nothing), self._schedule.get(step + 1, nothing)
+        mode = change.mode or before.mode
+        return Control(mode, change.abort or before.abort, after.mode or mode)
 
     def _check(self, block: Block, outputs: Any) -> None:
         """Refuse outputs that have not the form of their signals."""

@@ -33,7 +33,8 @@ class Law(Protocol):
         prediction : array_like, shape (..., 6)
             States [m, m/s] at that instant; NaN where unknown.
         stick : array_like, shape (..., 3), or None
-            The pilot's command, for laws that use it; None when there is none.
+            The pilot's command, for laws that use it; None when there is none, and in mode auto,
+            where the automatic command goes out as it is.
 
         Returns
         -------

@@ -28,7 +28,6 @@ from rvd_dynamics.motion.orbit import OrbitParams
 from rvd_dynamics.diagram.params import param, require, settings, wiring
 from rvd_dynamics.diagram.run import Run
 from rvd_dynamics.commands.levels import HIGHEST, LevelForm
-from rvd_groundstation.operators.operation import Operation
 from rvd_groundstation.sharing.decision import Sharing
 
 Array = NDArray[np.float64]
@@ -59,7 +58,6 @@ class Barrier:
     orbit: OrbitParams = wiring()
     form: LevelForm = wiring()
     sharing: Sharing = wiring()             # what becomes of our command
-    operation: Operation = wiring()
     uses_stick: ClassVar[bool] = True
 
     coasts_s: tuple = param(
@@ -86,11 +84,11 @@ class Barrier:
         """
         Return the effect (..., 3) [m/s^2] of the automatic command; see `Law.wanted`.
 
-        Without a stick, and in mode auto, where nobody blends, the pilot counts as neutral and
-        the automatic command is the one that shall come out itself.
+        Without a stick the pilot counts as neutral, and the automatic command is the one that
+        shall come out itself: so, too, in mode auto, where nobody blends and the law is told of none.
         """
         prediction = np.asarray(prediction, dtype=float)
-        alone = stick is None or self.operation.mode == 'auto'
+        alone = stick is None
         if alone:
             stick = np.zeros((*prediction.shape[:-1], 3), dtype=np.int8)
         outcome = self.outcome(prediction, stick)

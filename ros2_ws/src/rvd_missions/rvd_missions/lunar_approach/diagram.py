@@ -75,7 +75,14 @@ def _ground(scenario: Scenario, legs: Legs, estimate: Signal, prediction: Signal
     settings = scenario.mission.sections
     auto, command = signals.AUTO.shifted(legs.forward), COMMAND.shifted(legs.forward)
     stick = _stick(scenario)
-    watches_stick = stick and scenario.settings('auto_controller').selected.uses_stick
+    is_held = bool(stick) and stick['stick'].held
+    watches_stick = bool(stick) and scenario.settings('auto_controller').selected.uses_stick
+    # A law that looks at the stick shares the blender's mode, and its reading of a held stick.
+    reading = {'reading': signals.READING} if is_held else {}
+    law_reads = {**stick, 'mode': last(signals.MODE)} if watches_stick else {}
+    law_tells, blender_hears = ({}, {}) if not watches_stick else (
+        reading, {name: now(signal) for name, signal in reading.items()})
+    blender_tells = {'mode': signals.MODE} if watches_stick else reading
     return [
         Block('state_predictor', f'{HERE}.ground:StatePredictor', GROUND,
               reads={'telemetry': now(TELEMETRY), 'command': last(command)},
@@ -83,10 +90,11 @@ def _ground(scenario: Scenario, legs: Legs, estimate: Signal, prediction: Signal
               settings=settings['state_predictor']),
         *_operator(scenario, estimate, prediction),
         Block('auto_controller', f'{HERE}.ground:AutoController', GROUND,
-              reads={'prediction': now(prediction), **(stick if watches_stick else {})},
-              writes={'auto': auto}, settings=settings['auto_controller']),
+              reads={'prediction': now(prediction), **law_reads},
+              writes={'auto': auto, **law_tells}, settings=settings['auto_controller']),
         Block('command_blender', f'{HERE}.ground:CommandBlender', GROUND,
-              reads={**stick, 'auto': now(auto)}, writes={'command': command, 'uplink': UPLINK},
+              reads={**stick, **blender_hears, 'auto': now(auto)},
+              writes={'command': command, 'uplink': UPLINK, **blender_tells},
               settings=settings['command_blender'], control=True),
     ]
 

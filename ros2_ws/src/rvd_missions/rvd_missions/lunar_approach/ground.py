@@ -8,6 +8,7 @@ import numpy as np
 
 from rvd_dynamics.commands.codes import BY_PILOT, KIND_ABORT, KIND_THRUST, REASON_ABORT
 from rvd_dynamics.commands.levels import LevelForm, stick_levels, StickParams, ThrustParams
+from rvd_dynamics.diagram.block import Block
 from rvd_dynamics.diagram.control import Control
 from rvd_dynamics.diagram.run import Legs, Run
 from rvd_dynamics.diagram.scenario import Scenario
@@ -15,6 +16,7 @@ from rvd_dynamics.diagram.streams import PilotDraws
 from rvd_dynamics.geometry.cone import Cone, SLOWEST_RATE
 from rvd_dynamics.motion.orbit import OrbitParams, StartParams
 from rvd_groundstation.guidance import Law
+from rvd_groundstation.operators.operation import MODES, Operation
 from rvd_groundstation.operators.pilot import Pilot, PilotParams
 from rvd_groundstation.operators.tape import read_tape, Tape
 from rvd_groundstation.prediction.predictor import Predictor, PredictorParams
@@ -22,7 +24,7 @@ from rvd_groundstation.prediction.score import Score
 from rvd_groundstation.sharing import decide
 from rvd_groundstation.sharing.decision import Sharing
 from rvd_missions.lunar_approach.signals import (
-    AUTO, COMMAND, ESTIMATE, PREDICTION, SCORE, STICK, UPLINK)
+    AUTO, COMMAND, ESTIMATE, MODE, PREDICTION, READING, SCORE, STICK, UNTOLD, UPLINK)
 
 THRUST, ABORT = np.uint8(KIND_THRUST), np.uint8(KIND_ABORT)
 
@@ -126,31 +128,52 @@ class JoystickReplay:
 
 
 class AutoController:
-    """The guidance law; the command form makes a command of what it wants."""
+    """
+    The guidance law; the command form makes a command of what it wants.
 
-    def __init__(self, law: Law, form: LevelForm) -> None:
-        self._law, self._form = law, form
+    A law that looks at the stick is told nothing of it in mode auto, where nobody blends. The mode
+    is the blender's of this step, which told it in the step before; where that is missing, the
+    last one told.
+    """
 
-    def step(self, k: int, prediction: Any, stick: Any = None) -> dict[str, Any]:
-        """Return the automatic command of step k."""
+    def __init__(self, law: Law, form: LevelForm, operation: Operation, block: Block) -> None:
+        self._law, self._form, self._mode = law, form, operation.mode
+        self._tells = 'reading' in block.writes
+
+    def step(self, k: int, prediction: Any, stick: Any = None, mode: Any = None
+             ) -> dict[str, Any]:
+        """Return the automatic command of step k, and the reading of a held stick."""
+        if mode is not None:
+            told = int(np.ravel(mode.mode)[0])      # the same in all rows
+            self._mode = self._mode if told == UNTOLD else MODES[told]
         seen = None
-        if stick is not None and np.any(stick.valid):
+        if stick is not None and self._mode != 'auto' and np.any(stick.valid):
             seen = np.broadcast_to(stick.command, (*prediction.state.shape[:-1], 3))
         wanted = self._law.wanted(prediction.state, seen)
-        return {'auto': AUTO(command=self._form.quantise(wanted), valid=prediction.valid)}
+        made = {'auto': AUTO(command=self._form.quantise(wanted), valid=prediction.valid)}
+        return made | ({'reading': _reading(stick)} if self._tells else {})
 
 
 class CommandBlender:
-    """Who decides, and what goes up the link."""
+    """
+    Who decides, and what goes up the link.
 
-    def __init__(self, sharing: Sharing, form: LevelForm, batch: tuple) -> None:
+    A held stick is read once in a step: by the law where it looks at it, which hands its reading
+    on, and else, or where that is missing with the law's command, by the blender.
+    """
+
+    def __init__(self, sharing: Sharing, form: LevelForm, batch: tuple, block: Block) -> None:
         self._sharing, self._batch = sharing, batch
+        self._tells_reading, self._tells_mode = (name in block.writes for name in ('reading', 'mode'))
         self._nothing = STICK.initial(batch)
         self._neutral = np.broadcast_to(form.neutral, (*batch, len(form.neutral)))
 
-    def step(self, k: int, auto: Any, control: Control, stick: Any = None) -> dict[str, Any]:
+    def step(self, k: int, auto: Any, control: Control, stick: Any = None, reading: Any = None
+             ) -> dict[str, Any]:
         """Return the command of step k and the uplink that carries it."""
         stick = self._nothing if stick is None else stick
+        if reading is not None and np.all(reading.taken):
+            stick = reading
         pilot, valid = stick.command, stick.valid
         if pilot.ndim == 1:                         # a tape, the same in all rows
             pilot = np.broadcast_to(pilot, self._neutral.shape)
@@ -161,6 +184,16 @@ class CommandBlender:
             levels, kind = self._neutral, ABORT
             by = np.full(self._batch, BY_PILOT, dtype=np.uint8)
             reason = np.full(self._batch, REASON_ABORT, dtype=np.uint8)
-        return {'command': COMMAND(command=levels, kind=kind, decided_by=by,
+        made = {'command': COMMAND(command=levels, kind=kind, decided_by=by,
                                    pilot_weight=d.pilot_weight, reason=reason),
                 'uplink': UPLINK(command=levels, kind=kind, expedited=np.bool_(control.abort))}
+        if self._tells_reading:
+            made['reading'] = _reading(stick)
+        if self._tells_mode:
+            made['mode'] = MODE(mode=np.uint8(MODES.index(control.next_mode)))
+        return made
+
+
+def _reading(stick: Any) -> Any:
+    """Return what was read of a held stick, for whoever decides after it."""
+    return READING(command=stick.command, valid=stick.valid, taken=np.bool_(True))

@@ -8,6 +8,7 @@ from rvd_dynamics.link import signals as link
 CODECS = link.CODECS
 STATE = 'rvd_interfaces/msg/RelativeState'
 THRUST_COMMAND = 'rvd_interfaces/msg/ThrustCommand'
+UNTOLD = 255                    # a mode of which nothing has been heard
 
 _state = Part('state', (6,), 'm, m/s')
 _valid = Part('valid', (), '', '?')
@@ -29,6 +30,10 @@ SCORE = Signal('/ground/prediction_score', (
 STICK = Signal('/joy', (
     _levels, _valid, Part('raw', (), 'axes, buttons', 'O', optional=True)),
     'sensor_msgs/msg/Joy', f'{CODECS}:Stick')
+READING = Signal('/ground/stick', (     # what one block has read of a held stick, for all
+    _levels, _valid, Part('taken', (), '', '?')))
+MODE = Signal('/ground/mode', (         # in force from the next step on, for a law that asks
+    Part('mode', (), 'index of MODES', 'u1', initial=UNTOLD),))
 AUTO = Signal('/ground/auto_command', (_levels, _valid), THRUST_COMMAND, f'{CODECS}:Automatic')
 COMMAND = Signal('/ground/command', (
     _levels, link.KIND, Part('decided_by', (), 'BY_*', 'u1'), Part('pilot_weight', ()),

@@ -53,7 +53,7 @@ class BlockNode(FiringNode):
             if read.late:
                 values[read.late] = self._inputs[name].take_late()
         if self.block.control:
-            values['control'] = self._control
+            values['control'] = self._decided()
         outputs = self._compute(k, **values)
         if k == 0 or self._commands:
             self._check(k, outputs)
@@ -106,9 +106,23 @@ class BlockNode(FiringNode):
     def _serve_control(self) -> None:
         scenario = self.scenario
         if scenario.has_shared('mode'):
-            self._control = Control(scenario.part('operation').mode)
+            mode = scenario.part('operation').mode
+            self._control = Control(mode, next_mode=mode)
         self._pause = self.writer('/run/pause', Bool)
         self.create_service(RunControl, '/run/control', self._on_control)
+
+    def _decided(self) -> Control:
+        """
+        Return what is in force in this step, and let a new mode be so from the next one on.
+
+        A mode is told to other blocks of the ring before it counts, so that all change in one
+        step; an abort has no need of them and goes out at once.
+        """
+        now = self._control
+        if now.next_mode != now.mode:
+            self.event('MODE', f'mode {now.next_mode}')
+            self._control = now._replace(mode=now.next_mode)
+        return now
 
     def _on_control(self, request: RunControl.Request, response: RunControl.Response
                     ) -> RunControl.Response:
@@ -119,9 +133,8 @@ class BlockNode(FiringNode):
             self.host.publish(self._pause, '/run/pause', -1, Bool(data=pause))
             response.message = 'paused' if pause else 'resumed'
         elif request.action == actions.MODE and request.mode in modes:
-            self._control = self._control._replace(mode=request.mode)
+            self._control = self._control._replace(next_mode=request.mode)
             response.message = f'mode {request.mode}'
-            self.event('MODE', response.message)
         elif request.action == actions.ABORT:
             self._control = self._control._replace(abort=True)
             response.message = 'abort goes out with the next frame'
