@@ -2,11 +2,13 @@
 
 import json
 import re
+import subprocess
+import sys
 
 import numpy as np
 import pytest
 import yaml
-from runs import counts, messages, rvd, states, verdict_of
+from runs import counts, environment, messages, rvd, states, verdict_of
 
 from rvd_dynamics.diagram.in_process import fly
 from rvd_dynamics.diagram.roster import Roster
@@ -138,3 +140,20 @@ def test_verdict_on_the_topic_is_the_verdict_in_the_file(flight):
                for name, m in verdict['measures'].items()}
     assert repr(on_topic) == repr(in_file)              # NaN too
     assert json.loads((flight.run / 'verdict.json').read_text())['seed'] == 3
+
+
+@pytest.mark.slow
+def test_a_report_that_fails_leaves_the_verdict_and_the_exit_code_of_the_flight(tmp_path):
+    (tmp_path / 'short.yaml').write_text('/**: {ros__parameters: {timeout_s: 0.5}}')
+    spoilt = ('import sys; from rvd_campaign.report import run; run.page = None; '
+              'from rvd_campaign import cli; sys.exit(cli.main())')
+    done = subprocess.run(
+        [sys.executable, '-c', spoilt, 'fly', 'short.yaml', '--pace', 'lockstep', '--processes',
+         'one', '--headless', '--out', 'a run'], cwd=tmp_path, env=environment(), timeout=120,
+        capture_output=True, text=True)
+    assert done.returncode == 1 and verdict_of(tmp_path / 'a run')['reason'] == 'timeout'
+    assert done.stderr.splitlines() == [
+        "rvd: no report: TypeError: 'NoneType' object is not callable (traceback in "
+        'a run/logs/report.log)', "rvd: make it again with ./rvd report 'a run'"]
+    assert 'Traceback' in (tmp_path / 'a run/logs/report.log').read_text()
+    assert rvd('report', 'a run', cwd=tmp_path).returncode == 0

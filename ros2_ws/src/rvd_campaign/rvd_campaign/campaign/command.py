@@ -18,6 +18,7 @@ from rvd_campaign.campaign.summary import finish, in_words, SUMMARY
 from rvd_campaign.exits import CannotRun, EXIT_DONE, EXIT_INTERRUPTED
 from rvd_campaign.flight.fly import new_folder
 from rvd_campaign.flight.interrupts import all_like_ctrl_c
+from rvd_campaign.report.attempt import attempt
 from rvd_dynamics.recording import whole
 
 MAX_WORKERS = 256
@@ -55,9 +56,9 @@ def _finish(campaign: Campaign, folder: Path) -> None:
         whole.write_text(folder / SUMMARY, json.dumps(summary, indent=1) + '\n')
         print(in_words(summary))
         print(f'result hash {summary["result_hash"]}', flush=True)
-        print(write_campaign_report(folder), flush=True)
     except OSError as error:
         raise engine.full_disk(folder, error) from None
+    attempt(write_campaign_report, folder, folder / 'report.log')
 
 
 def _stay_dead() -> None:

@@ -56,7 +56,8 @@ LOOP = {
     'rvd_dynamics': (
         'commands', 'constants.py', 'diagram', 'frames.py', 'geometry', 'link', 'motion', 'onboard',
         'world', *(f'recording/{name}.py' for name in (     # of these, what reads a tape
-            'mcap_file', 'messages', 'params', 'rosbag2', 'sqlite_file', 'whole'))),
+            '__init__', 'mcap_file', 'messages', 'params', 'rosbag2', 'sqlite_file',
+            'whole'))),
     'rvd_groundstation': ('guidance', 'operators', 'prediction', 'settings.py', 'sharing')}
 NO_LOOP = ('diagram/display', 'diagram/ros', 'diagram/roster.py')   # left out of the above
 

@@ -7,10 +7,8 @@ colours are those of the figures of a run.
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, TYPE_CHECKING
 
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 import numpy as np
 from numpy.typing import NDArray
 
@@ -19,11 +17,15 @@ from rvd_campaign.campaign.results import Table
 from rvd_dynamics.diagram.build import loaded
 from rvd_dynamics.diagram.mission import Mission
 from rvd_dynamics.recording.drawing import (
-    BLUE, CampaignFigure, canvas, DASHED, INK, LINES, VERMILLION)
+    BLUE, CampaignFigure, canvas, DASHED, INK, LINES, load, VERMILLION)
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
 PANELS = 8                              # conditions in a figure of panels
 ALWAYS = ('run', 'success', 'reason')   # columns that every result table has
-Drawn = tuple[Figure, str]
+Drawn = tuple['Figure', str]
 
 
 @dataclass(frozen=True)
@@ -68,7 +70,7 @@ def success(results: Results) -> Drawn:
     return figure, caption
 
 
-def _interval(axes: Axes, at: float, successes: int, runs: int, colour: str, marker: str,
+def _interval(axes: 'Axes', at: float, successes: int, runs: int, colour: str, marker: str,
               hollow: bool) -> None:
     low, high = stats.wilson(successes, runs)
     axes.plot([low, high], [at, at], color=colour, linewidth=2.2)
@@ -107,7 +109,7 @@ def curve(results: Results) -> Drawn:
     return figure, 'Success rate. Shaded: 95 % interval (Wilson) of each point on its own.'
 
 
-def _reference_point(axes: Axes, x: float, row: dict, label: str) -> None:
+def _reference_point(axes: 'Axes', x: float, row: dict, label: str) -> None:
     p, (low, high) = row['successes']/row['runs'], stats.wilson(row['successes'], row['runs'])
     axes.errorbar(x, p, [[p - low], [high - p]], fmt='*', color=INK, markersize=9, capsize=3,
                   label=label)
@@ -143,7 +145,7 @@ def replicates(results: Results) -> Drawn:
         'between one experiment and the next (other draws, and so other people).')
 
 
-def _bars(axes: Axes, values: NDArray, size: int, colour: str, style: Any, label: str) -> None:
+def _bars(axes: 'Axes', values: NDArray, size: int, colour: str, style: Any, label: str) -> None:
     counts, found = np.unique(np.rint(values*size).astype(int), return_counts=True)
     edges = (np.arange(counts[0], counts[-1] + 2) - 0.5) / size
     filled = np.zeros(len(edges) - 1)
@@ -174,6 +176,7 @@ def figures_of(mission: Mission) -> dict[str, CampaignFigure]:
     ValueError
         If the mission's table of figures cannot be loaded; one line.
     """
+    load()                                  # before a mission that imports it with its figures
     try:
         return {**FIGURES, **(loaded(mission.campaign_figures) if mission.campaign_figures else {})}
     except (ImportError, ValueError) as error:

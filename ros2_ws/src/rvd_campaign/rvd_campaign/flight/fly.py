@@ -3,6 +3,7 @@ Fly one approach by the graph: bring it up, follow it, say how it went, leave a 
 """
 
 import argparse
+import contextlib
 import importlib
 import os
 import re
@@ -15,13 +16,14 @@ from typing import Any, Callable
 
 from rvd_campaign import catalogue
 from rvd_campaign.flight import verdict
-from rvd_dynamics.recording import reader
+from rvd_dynamics.recording import drawing, reader
 from rvd_campaign.exits import (
     CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_FAILED, EXIT_INTERRUPTED)
 from rvd_dynamics.diagram.roster import listed
 from rvd_dynamics.diagram.scenario import load, Scenario
 from rvd_campaign.flight.interrupts import uninterrupted
 from rvd_campaign.flight.supervisor import Supervisor
+from rvd_campaign.report.attempt import attempt
 from rvd_groundstation.operators.tape import read_tape, TOPIC
 
 START_S = 60.0                  # [s] wall time for the graph to come up
@@ -177,8 +179,8 @@ class Flight:
         print(verdict.in_words(judged), flush=True)
         if interrupted:
             return EXIT_INTERRUPTED
-        from rvd_campaign.report.run import write_report
-        print(write_report(self._run_dir), flush=True)
+        from rvd_campaign.report.run import write_report        # takes a while, loaded meanwhile
+        attempt(write_report, self._run_dir, self._run_dir / 'logs' / 'report.log')
         return EXIT_DONE if judged.success else EXIT_FAILED
 
     def _follow(self) -> str | None:
@@ -333,5 +335,6 @@ class Flight:
 
 def _load_the_report() -> None:
     """Import what the report needs: it takes a second, in which nodes start or end."""
-    for module in ('rvd_campaign.report.run', 'matplotlib.figure'):
-        importlib.import_module(module)
+    with contextlib.suppress(Exception):    # why it cannot be made is said when it is made
+        importlib.import_module('rvd_campaign.report.run')
+        drawing.load()

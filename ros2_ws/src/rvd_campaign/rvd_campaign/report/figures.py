@@ -8,7 +8,7 @@ import numpy as np
 
 from rvd_dynamics.diagram.build import loaded
 from rvd_dynamics.recording.drawing import (
-    ABOVE, BLUE, canvas, DASHED, every, Figure, INK, VERMILLION)
+    ABOVE, BLUE, canvas, DASHED, every, Figure, INK, load, VERMILLION)
 from rvd_dynamics.recording.recording import Link, Recording
 
 if TYPE_CHECKING:
@@ -36,6 +36,7 @@ def figures_of(run: Recording) -> dict[str, Figure]:
 
 def _own(run: Recording) -> dict[str, Figure]:
     mission = run.scenario.mission
+    load()                                  # before a mission that imports it with its figures
     try:
         own = loaded(mission.figures) if mission.figures else {}
     except ValueError as error:

@@ -5,17 +5,24 @@ Colours are Okabe and Ito's, which colour-blind readers tell apart; line style a
 the same once more. In the SVG they are names (`var(--ink)`) that the page gives values to, so
 that one drawing serves light, dark and print. Text stays text.
 
-matplotlib is imported where something is drawn: to list the figures of a mission takes none.
+matplotlib is imported where something is drawn: to list the figures of a mission takes none. The
+user's settings of it (MPLBACKEND as notebooks set it, a matplotlibrc, a style with LaTeX) stay
+out, when it is imported and when something is drawn: they could spoil a figure or raise.
 
 Source  M. Okabe, K. Ito, Color Universal Design, 2008.
 """
 
 from collections.abc import Callable
 from dataclasses import dataclass
+import importlib
 import io
+import os
 from pathlib import Path
 import re
+import sys
+import threading
 from typing import Any, TYPE_CHECKING
+from unittest import mock
 
 from numpy.typing import NDArray
 
@@ -103,10 +110,35 @@ class CampaignFigure:
     tall: bool = False
 
 
+_LOADING = threading.Lock()
+NOBODYS = {'MPLBACKEND': 'agg', 'MATPLOTLIBRC': os.devnull}
+
+
+def load() -> Any:
+    """Return matplotlib, imported without the settings of the user or of the working folder."""
+    with _LOADING:
+        if 'matplotlib' not in sys.modules:
+            exists = os.path.exists         # it looks for `matplotlibrc` here before all else
+
+            def but_not_here(path: Any) -> bool:
+                return path != 'matplotlibrc' and exists(path)
+            with mock.patch.dict(os.environ, NOBODYS), mock.patch('os.path.exists', but_not_here):
+                importlib.import_module('matplotlib')
+    import matplotlib.figure
+    return matplotlib
+
+
+def _settings(own: dict[str, Any]) -> Any:
+    """Return the context in which matplotlib has its defaults, our style and `own`."""
+    matplotlib = load()
+    usual = {key: value for key, value in matplotlib.rcParamsDefault.items()
+             if not key.startswith('backend')}
+    return matplotlib.rc_context({**usual, **STYLE, **own})
+
+
 def canvas(height_in: float, top: float = 0.32, left: float = 0.07, **spaces: float) -> 'Canvas':
     """Return an empty figure; all have the same margins, so that time axes stand in line."""
-    from matplotlib.figure import Figure as Canvas
-    made = Canvas(figsize=(WIDTH_IN, height_in))
+    made = load().figure.Figure(figsize=(WIDTH_IN, height_in))
     made.subplots_adjust(left=left, right=0.985, bottom=0.47 / height_in,
                          top=1.0 - top / height_in, **spaces)
     return made
@@ -123,8 +155,7 @@ def svg(name: str, draw: Callable[[], Any]) -> str:
 
     `name` sets the ids of this drawing apart from those of others in the page.
     """
-    import matplotlib
-    with matplotlib.rc_context(STYLE):
+    with _settings({}):
         text = io.StringIO()
         draw().savefig(text, format='svg', metadata={'Date': None})
     drawing = text.getvalue()
@@ -142,6 +173,5 @@ def svg(name: str, draw: Callable[[], Any]) -> str:
 
 def png(path: Path, draw: Callable[[], Any], dpi: int = 150) -> None:
     """Write what `draw` draws as a PNG on white, for pages that cannot hold a drawing."""
-    import matplotlib
-    with matplotlib.rc_context({**STYLE, 'savefig.facecolor': 'white'}):
+    with _settings({'savefig.facecolor': 'white'}):
         draw().savefig(path, dpi=dpi, format='png')
