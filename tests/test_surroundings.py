@@ -1,6 +1,5 @@
 """The command does its work whatever surrounds it: the working folder, the home, the output."""
 
-import os
 import subprocess
 from pathlib import Path
 

@@ -1,6 +1,5 @@
 """Predictive barrier: against its text in plain Python, against physics, inside a blend."""
 
-from dataclasses import replace
 from decimal import Decimal
 from math import copysign, inf, pi, sqrt, tan
 import re

@@ -7,7 +7,6 @@ import queue
 import signal
 import subprocess
 import threading
-import time
 from pathlib import Path
 
 from rvd_dynamics import lifeline
