@@ -112,7 +112,8 @@ def open_page(browser, console: Console, look: str = '', **options):
     A 'plain' one draws no scene: software rendering costs a test machine most of its time. A
     'fine' one draws it as if there were a graphics processor.
     """
-    page = browser.new_page(viewport={'width': 960, 'height': 540}, **options)
+    page = browser.new_page(**options)          # of a browser, or of a context of its own
+    page.set_viewport_size({'width': 960, 'height': 540})
     page.problems = []
     page.on('pageerror', lambda error: page.problems.append(str(error)))
     page.on('console', lambda m: page.problems.append(m.text) if m.type == 'error' else None)

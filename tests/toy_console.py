@@ -10,6 +10,7 @@ import asyncio
 import math
 import threading
 
+from rvd_dynamics.commands.codes import KIND_THRUST
 from rvd_dynamics.diagram.display import (
     as_data, Axis, Body, Box, CommandAxis, CommandRow, Commands, Controller, Display, Instrument,
     Instruments, Line, Number, Perspective, Reading, Ref, Trail)
@@ -85,6 +86,7 @@ class ToyConsole:
     def __init__(self) -> None:
         self.hub, self.sticks, self.provider = self.hub_of(), [], ToyDisplay()
         self.answers, self.asked = True, []
+        self.kind = KIND_THRUST                 # of the commands sent; telemetry falls silent at others
         self._loop = asyncio.new_event_loop()
         self._over = asyncio.Event()
         up = threading.Event()
@@ -110,9 +112,11 @@ class ToyConsole:
     async def _fly(self) -> None:
         self.hub.begin('cart', self.provider, self)
         for step in range(100_000):
-            if step >= BACK_STEPS:
+            sent = command(step)
+            if step >= BACK_STEPS and self.kind == KIND_THRUST:
                 self.hub.post('telemetry', telemetry(step))
-            self.hub.post('command', command(step))
+            sent.parts['kind'] = self.kind
+            self.hub.post('command', sent)
             await asyncio.sleep(STEP_S)
 
     # -- as the graph is for the hub --------------------------------------------------------
