@@ -201,6 +201,7 @@ def test_an_abort_and_a_change_of_mode_fly_as_in_process_when_they_come_in_the_s
     truth = hand.listen('/truth/relative_state', RelativeState)
     commands = hand.listen('/ground/command', ThrustCommand)
     thrust = hand.listen('/onboard/thruster_command', ThrustCommand)
+    predicted = hand.listen('/ground/prediction', RelativeState)
     events = hand.listen('/run/events', RunEvent)
     control = Control(hand)
     hand.start_ring(waits=True)
@@ -210,7 +211,8 @@ def test_an_abort_and_a_change_of_mode_fly_as_in_process_when_they_come_in_the_s
     hand.until(lambda: len(truth) > truth[0].step + 400, 'a while')
     control(RunControl.Request.ABORT)
     hand.until(lambda: truth[-1].final, 'the end', timeout=120.0)
-    hand.until(lambda: len(thrust) == len(commands) == len(truth), 'every command')
+    hand.until(lambda: len(thrust) == len(commands) == len(predicted) == len(truth),
+               'every command')
 
     changed = next(e.step for e in events if e.code == 'MODE') + 1
     aborted = next(c.step for c in commands if c.kind == ThrustCommand.KIND_ABORT)
@@ -221,6 +223,9 @@ def test_an_abort_and_a_change_of_mode_fly_as_in_process_when_they_come_in_the_s
     state = np.array([[m.position.x, m.position.y, m.position.z,
                        m.velocity.x, m.velocity.y, m.velocity.z] for m in truth])
     np.testing.assert_array_equal(state, history['/truth/relative_state'].state[:, 0])
+    state = np.array([[m.position.x, m.position.y, m.position.z,
+                       m.velocity.x, m.velocity.y, m.velocity.z] for m in predicted])
+    np.testing.assert_array_equal(state, history['/ground/prediction'].state[:, 0])
     executed = history['/onboard/thruster_command']
     np.testing.assert_array_equal([m.levels for m in thrust], executed.command[:, 0])
     np.testing.assert_array_equal([m.kind for m in thrust], executed.kind[:, 0])

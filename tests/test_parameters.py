@@ -43,7 +43,7 @@ BESIDES = {
     'step_s': lambda v: abs(v*1e9 - round(v*1e9)) < 1e-3, 'timeout_s': lambda v: v >= 0.5,
     'seed': lambda v: v < 2**64, 'position_m': lambda v: v[0] < 0.0,
     'axis_x': lambda v: v not in (0, 4), 'axis_y': lambda v: v not in (1, 4),
-    'axis_z': lambda v: v not in (0, 1)}
+    'axis_z': lambda v: v not in (0, 1), 'boundary_rate_m_s': lambda v: not 0.0 < v < 0.01}
 
 
 def test_the_table_is_found():

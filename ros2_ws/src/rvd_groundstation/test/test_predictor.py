@@ -270,3 +270,31 @@ def test_settings_reach_the_filter():
     first = Paper(back_delay_s=0.0).predictor(wide).advance(0, NOMINAL + 1.0, True, None)
     usual = Paper(back_delay_s=0.0).predictor(PARAMS).advance(0, NOMINAL + 1.0, True, None)
     assert abs(first.estimate[0] - NOMINAL[0]) < abs(usual.estimate[0] - NOMINAL[0])
+
+
+# -- commands that come late -------------------------------------------------------------------
+
+@pytest.mark.parametrize('grid', GRIDS, ids=str)
+@pytest.mark.parametrize('params, within', [(PARAMS, 1e-12), (ADAPTIVE, 2e-2)],
+                         ids=['scheduled', 'adaptive'])
+@pytest.mark.parametrize('by', [1, 7, 45])
+def test_a_command_that_came_late_counts_as_if_it_had_been_there(by, params, within, grid):
+    """Every third is late: in flight, or `by` steps, beyond the loop, within the filter. Adaptive
+    gains have followed the wrong estimate for a while: they differ by less than the noise."""
+    paper = paper_of(grid)
+    flight, on_time, late = Flight(paper, 120, noise=0.01, lost=0.1), [], []
+    for _, got in flight.fly(paper.predictor(params)):
+        on_time.append(got.predicted)
+    predictor, noticed = paper.predictor(params), 0.0
+    for k in range(flight.steps):
+        m = k - paper.legs.back
+        sample = (flight.measured[m], flight.received[m]) if m >= 0 else (None, False)
+        missing = k and k % 3 == 0 and k < 60
+        came = k - by
+        made_up = {came - 1: (flight.commands[came - 1], False)} \
+            if came > 0 and came % 3 == 0 and came < 60 else {}
+        late.append(predictor.advance(k, *sample, None if missing or not k else
+                                      flight.commands[k - 1], late=made_up).predicted)
+        noticed = max(noticed, np.nan_to_num(np.abs(late[-1] - on_time[k])).max())
+    assert noticed > 1e-3                       # while they are missing it matters
+    assert_allclose(late[60 + by:], on_time[60 + by:], rtol=0, atol=within)

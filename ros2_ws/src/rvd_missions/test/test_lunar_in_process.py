@@ -113,7 +113,7 @@ class Graph:
         self.operation, self.orbit = scenario.part('operation'), scenario.part('orbit')
         self.form = LevelForm(scenario.part('thrust'))
         self.schedule = {change.step: change for change in schedule}
-        self.mode, self.aborting = self.operation.mode, False
+        self.mode, self.aborting, self.told_abort = self.operation.mode, False, False
         self.down, self.up = (self.channel('link_back', self.legs.back),
                               self.channel('link_forward', self.legs.forward))
         self.make_space()
@@ -144,7 +144,8 @@ class Graph:
         seed, steps, pilot = (self.run.seed, self.run.last_step + 1,
                               self.s.settings('operator_model'))
         self.predictor = Predictor(self.s.settings('state_predictor'), self.run, self.legs,
-                                   self.orbit, self.s.part('start'), self.form)
+                                   self.orbit, self.s.part('start'), self.form,
+                                   abort=self.s.part('abort_profile'))
         self.score = Score(self.legs)
         self.law = self.s.part('law')
         self.sharing = self.s.settings('command_blender').selected
@@ -182,12 +183,13 @@ class Graph:
         content = None if released is None else unpack_downlink(released.payload)
         received = isinstance(content, Downlink)
         sample = np.array(content.state) if received else None
-        seen = self.predictor.advance(k, sample, received, self.command)
+        seen = self.predictor.advance(k, sample, received, self.command, self.told_abort)
         error = self.score.advance(seen, sample, received).error
         pilot, pilot_valid = self.stick(k, seen)
         auto = self.form.quantise(self.law.wanted(seen.predicted, pilot if pilot_valid and self.mode != 'auto' else None))
         d = decide(self.mode, self.sharing, pilot, pilot_valid, auto, seen.valid)
         self.command = np.zeros(3, dtype=np.int8) if self.aborting else d.levels
+        self.told_abort = self.aborting
         return {'truth': self.state, 'acceleration': self.acceleration, 'measured': measured,
                 'received': received, 'estimate': seen.estimate, 'predicted': seen.predicted,
                 'known': seen.valid, 'error': error, 'pilot': pilot, 'pilot_valid': pilot_valid,

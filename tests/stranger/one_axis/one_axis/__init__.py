@@ -18,7 +18,7 @@ MISSION = Mission(
     sections={
         'plant': 'one_axis.space:PlantParams',
         'sensor': 'one_axis.space:SensorParams',
-        'onboard_guard': 'rvd_dynamics.onboard.guard.modes:GuardParams',
+        'onboard_guard': 'rvd_dynamics.commands.abort:GuardParams',
         'link_back': 'rvd_dynamics.link.models:LinkParams',
         'link_forward': 'rvd_dynamics.link.models:LinkParams',
         'controller': 'one_axis.ground:ControllerParams',

@@ -88,7 +88,7 @@ class Schedule(NamedTuple):
 
 
 def gain_sequence(params: FilterParams, start: StartParams, orbit: OrbitParams, step_s: float,
-                  steps: int) -> Schedule:
+                  steps: int, stands_from: int | None = None) -> Schedule:
     """
     Run filterpy's Kalman filter once on the straight nominal approach.
 
@@ -105,20 +105,23 @@ def gain_sequence(params: FilterParams, start: StartParams, orbit: OrbitParams, 
         Time between two samples [s].
     steps : int
         Number of samples; a longer schedule begins with the matrices of a shorter one.
+    stands_from : int, optional
+        Sample from which the approach is broken off: the noise is that of the place where it was.
 
     Returns
     -------
     Schedule
         Read-only, and shared between equal calls.
     """
-    return _schedule(params, start, step_s, orbit.mean_motion, steps)
+    return _schedule(params, start, step_s, orbit.mean_motion, steps, stands_from)
 
 
 @lru_cache(maxsize=8)
 def _schedule(params: FilterParams, start: StartParams, step_s: float, mean_motion: float,
-              steps: int) -> Schedule:
+              steps: int, stands_from: int | None) -> Schedule:
     kf = _filterpy_filter(params, start, step_s, mean_motion)
-    time = step_s * np.arange(steps)[:, None]
+    last = steps if stands_from is None else stands_from
+    time = step_s * np.minimum(np.arange(steps), last)[:, None]
     nominal = np.array(start.position_m) + time * np.array(start.velocity_m_s)
     nominal = np.hstack([nominal, np.broadcast_to(start.velocity_m_s, nominal.shape)])
     variances = params.measurement_variance(nominal)
@@ -154,6 +157,15 @@ class TelemetryFilter(Protocol):
     def advance(self, m: int, accel: Array, measured: Array, received: NDArray) -> Array:
         """Advance the estimate to sample m; see `ScheduledFilter.advance`."""
 
+    def gain(self, m: int) -> Array:
+        """Return the gain (..., 6, 6) that sample m had, the last one."""
+
+    def shift(self, difference: Array) -> None:
+        """Move the estimate by a difference (..., 6)."""
+
+    def stand_still(self, m: int) -> None:
+        """Be told that the approach is broken off at sample m."""
+
 
 class ScheduledFilter:
     """The filter with the gains of `gain_sequence`; one line serves (6,) and (N, 6)."""
@@ -168,7 +180,9 @@ class ScheduledFilter:
         """
         n, dt = orbit.mean_motion, run.step_s
         self._phi, self._gamma = cw.transition(n, dt), cw.input_matrix(n, dt)
-        self._schedule = gain_sequence(params, start, orbit, dt, run.last_step + 1)
+        self._sequence = (params, start, orbit, dt, run.last_step + 1)
+        self._schedule = gain_sequence(*self._sequence)
+        self._params, self._broken_off = params, False
         self.estimate = np.tile(start.state, (*batch, 1))
         self.covariance = np.tile(params.start_covariance(), (*batch, 1, 1)) if track else None
         self._process = params.process_covariance(self._gamma, dt)
@@ -201,14 +215,33 @@ class ScheduledFilter:
             self.covariance = self._next_covariance(m, received)
         return self.estimate
 
+    def gain(self, m: int) -> Array:
+        """Return the gain (6, 6) of sample m."""
+        return self._schedule.gains[m]
+
+    def shift(self, difference: Array) -> None:
+        """Move the estimate by a difference (..., 6)."""
+        self.estimate = self.estimate + difference
+
+    def stand_still(self, m: int) -> None:
+        """Use gains for a chaser that stays about where it nominally is at sample m."""
+        self._schedule, self._broken_off = gain_sequence(*self._sequence, stands_from=m), True
+
     def _next_covariance(self, m: int, received: NDArray) -> Array:
-        """Return the covariance by Joseph's form, which is correct for any gain."""
+        """
+        Return the covariance by Joseph's form, which is correct for any gain.
+
+        The noise is that of the nominal place, and of the estimated one in an approach broken off.
+        """
         p = self.covariance
         if m > 0:
             p = self._phi @ p @ self._phi.T + self._process
         gain = self._schedule.gains[m]
         keep = np.eye(6) - gain
-        noise = (gain * self._schedule.measurement_variances[m]) @ gain.T
+        variances = self._schedule.measurement_variances[m]
+        if self._broken_off:
+            variances = self._params.measurement_variance(self.estimate)[..., None, :]
+        noise = (gain * variances) @ gain.T
         return np.where(received[..., None, None], keep @ p @ keep.T + noise, p)
 
 
@@ -233,6 +266,19 @@ class AdaptiveFilter:
             if received[row]:
                 kf.update(measured[row], R=np.diag(self._params.measurement_variance(kf.x)))
         return self._read()
+
+    def gain(self, m: int) -> Array:
+        """Return the gains (..., 6, 6) of the last sample."""
+        return np.array([kf.K for kf in self._filters.flat]).reshape(*self._filters.shape, 6, 6)
+
+    def shift(self, difference: Array) -> None:
+        """Move the estimates by a difference (..., 6)."""
+        for row in np.ndindex(self._filters.shape):
+            self._filters[row].x = self._filters[row].x + difference[row]
+        self._read()
+
+    def stand_still(self, m: int) -> None:
+        """Have nothing to change: the gains follow the estimate."""
 
     def _read(self) -> Array:
         batch = self._filters.shape

@@ -24,7 +24,7 @@ MISSION = Mission(
     sections={
         'spacecraft_dynamics': 'rvd_dynamics.world.settings:DynamicsParams',
         'relative_sensor': 'rvd_dynamics.world.settings:SensorParams',
-        'onboard_guard': 'rvd_dynamics.onboard.guard.modes:GuardParams',
+        'onboard_guard': 'rvd_dynamics.commands.abort:GuardParams',
         'link_back': 'rvd_dynamics.link.models:LinkParams',
         'link_forward': 'rvd_dynamics.link.models:LinkParams',
         'state_predictor': 'rvd_groundstation.prediction.predictor:PredictorParams',
@@ -41,6 +41,7 @@ MISSION = Mission(
         'sharing': f'{HERE}.ground:sharing',
         'law': f'{HERE}.ground:law',
         'approach_rate_m_s': f'{HERE}.ground:approach_rate_m_s',
+        'abort_profile': f'{HERE}.ground:abort_profile',
         'tape': f'{HERE}.ground:tape',
     },
     checked=('paced', 'legs'),

@@ -85,7 +85,7 @@ def _ground(scenario: Scenario, legs: Legs, estimate: Signal, prediction: Signal
     blender_tells = {'mode': signals.MODE} if watches_stick else reading
     return [
         Block('state_predictor', f'{HERE}.ground:StatePredictor', GROUND,
-              reads={'telemetry': now(TELEMETRY), 'command': last(command)},
+              reads={'telemetry': now(TELEMETRY), 'command': last(command, late='late')},
               writes={'estimate': estimate, 'prediction': prediction, 'score': SCORE},
               settings=settings['state_predictor']),
         *_operator(scenario, estimate, prediction),

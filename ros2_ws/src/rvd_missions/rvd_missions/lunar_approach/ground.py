@@ -2,6 +2,7 @@
 The ground segment of the approach: predictor, operators, law and blender as blocks.
 """
 
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -19,6 +20,7 @@ from rvd_groundstation.guidance import Law
 from rvd_groundstation.operators.operation import MODES, Operation
 from rvd_groundstation.operators.pilot import Pilot, PilotParams
 from rvd_groundstation.operators.tape import read_tape, Tape
+from rvd_groundstation.prediction.abort import AbortProfile
 from rvd_groundstation.prediction.predictor import Predictor, PredictorParams
 from rvd_groundstation.prediction.score import Score
 from rvd_groundstation.sharing import decide
@@ -56,6 +58,12 @@ def approach_rate_m_s(scenario: Scenario) -> float:
         scenario.settings('operator_model').closing_rate_m_s, SLOWEST_RATE)
 
 
+def abort_profile(scenario: Scenario) -> AbortProfile:
+    """Return what an ABORT does, as the ground and the guard have agreed."""
+    return AbortProfile(scenario.settings('onboard_guard').abort_burn_s,
+                        scenario.settings('link_forward'), scenario.part('legs'), scenario.run)
+
+
 def tape(scenario: Scenario) -> Tape:
     """
     Return the tape that the operator replays.
@@ -77,17 +85,22 @@ class StatePredictor:
     """Filter of the telemetry, prediction across the loop, and its score."""
 
     def __init__(self, settings: PredictorParams, run: Run, legs: Legs, orbit: OrbitParams,
-                 start: StartParams, form: LevelForm, batch: tuple, wanted: frozenset[str]
-                 ) -> None:
+                 start: StartParams, form: LevelForm, abort_profile: AbortProfile, batch: tuple,
+                 wanted: frozenset[str]) -> None:
         scored = 'score' in wanted
         track = scored or bool({'estimate.covariance', 'prediction.covariance'} & wanted)
-        self._predictor = Predictor(settings, run, legs, orbit, start, form, batch, track)
+        self._predictor = Predictor(settings, run, legs, orbit, start, form, batch, track,
+                                    abort_profile)
         self._score = Score(legs, batch) if scored else None
 
-    def step(self, k: int, telemetry: Any, command: Any) -> dict[str, Any]:
-        """Return what the ground knows at step k."""
+    def step(self, k: int, telemetry: Any, command: Any, late: Mapping[int, Any] | None = None
+             ) -> dict[str, Any]:
+        """Return what the ground knows at step k; `late`: commands that were missing before."""
+        made_up_for = {step: (missed.command, _is_abort(missed))
+                       for step, missed in (late or {}).items()}
         p = self._predictor.advance(k, telemetry.state, telemetry.received,
-                                    None if k == 0 else command.command)
+                                    None if k == 0 else command.command, _is_abort(command),
+                                    made_up_for)
         known = {'estimate': ESTIMATE(state=p.estimate, covariance=p.estimate_covariance,
                                       valid=p.valid),
                  'prediction': PREDICTION(state=p.predicted, covariance=p.covariance,
@@ -96,6 +109,11 @@ class StatePredictor:
             known['score'] = SCORE(**self._score.advance(
                 p, telemetry.state, telemetry.received)._asdict())
         return known
+
+
+def _is_abort(command: Any) -> bool:
+    """Say whether a command is an ABORT, which it is in all rows or in none."""
+    return bool(np.ravel(command.kind)[0] == KIND_ABORT)
 
 
 class OperatorModel:

@@ -13,19 +13,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from rvd_dynamics.commands.abort import GuardParams
 from rvd_dynamics.commands.codes import KIND_ABORT, KIND_THRUST
 from rvd_dynamics.commands.form import CommandForm
 from rvd_dynamics.constants import NS_PER_S
-from rvd_dynamics.diagram.params import param, settings
-
-
-@settings
-class GuardParams:
-    """Settings of the guard."""
-
-    abort_burn_s: float = param(
-        16.0, 'Time for which an ABORT thrusts along -x at full level before it coasts [s].',
-        low=0.0, high=3600.0)
 
 
 class Thrust(NamedTuple):
