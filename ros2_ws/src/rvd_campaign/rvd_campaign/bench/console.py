@@ -18,7 +18,6 @@ from typing import Any
 
 from rvd_campaign import catalogue
 from rvd_campaign.exits import CannotRun
-from rvd_campaign.flight.domain import reserved_domain
 
 WATCHERS = 50
 TURNS = 4                       # alone and watched: a p99 of 700 samples moves by a fifth by itself
@@ -48,9 +47,7 @@ def measure(quick: bool = False) -> dict[str, Any]:
     browser = _which('chromium', 'chromium-browser', 'google-chrome')
     part_s = PART_S / 3.0 if quick else PART_S
     figures: dict[str, Any] = {'bundle_bytes': bundle_bytes()}
-    with reserved_domain() as domain, tempfile.TemporaryDirectory() as folder, \
-            sync_playwright() as play:
-        os.environ['ROS_DOMAIN_ID'] = str(domain)
+    with tempfile.TemporaryDirectory() as folder, sync_playwright() as play:
         flying = _start(Path(folder))
         try:
             url = _url(flying, Path(folder))

@@ -22,15 +22,16 @@ def main(args: argparse.Namespace) -> int:
     elif args.condition or args.run_number is not None or args.in_process:
         raise CannotRun('--condition, --run and --in-process go with --from DIR')
     scenario = again.chosen(args) if again else fly.chosen(args)
-    scenario.diagram                            # refused, if it must be, before there is a folder
+    scenario.diagram                            # refused now if it must be
     fly.check_foreign(scenario)
     if 'console' in (args.operator, fly.operator_of(scenario)):
         from rvd_campaign.flight import console
         return console.main(args, scenario)
-    run_dir = fly.new_folder(args.out, scenario.name)
-    (run_dir / 'scenario.yaml').write_text(scenario.dump(), encoding='utf-8')
     all_like_ctrl_c()
-    with reserved_domain() as domain:
+    with reserved_domain() as domain:           # refused, if it must be, before there is a folder
+        run_dir = fly.new_folder(args.out, scenario.name)
+        domain.held_for(str(run_dir.absolute()))
+        (run_dir / 'scenario.yaml').write_text(scenario.dump(), encoding='utf-8')
         print(f'{fly.introduced(scenario)}, ROS_DOMAIN_ID={domain}, {run_dir}', flush=True)
         code = fly.Flight(scenario, run_dir, domain, args.headless).fly()
     if again and code in (EXIT_DONE, EXIT_FAILED):

@@ -135,6 +135,7 @@ def main(args: argparse.Namespace, scenario: Scenario) -> int:
     runs.mkdir(parents=True, exist_ok=True)
     all_like_ctrl_c()
     with reserved_domain() as domain, tempfile.TemporaryDirectory(prefix='rvd-') as folder:
+        domain.held_for(f'the console of {runs.absolute()}')
         page = ConsoleProcess(args, runs, Path(folder), domain, scenario)
         os.environ['RVD_CONSOLE'] = str(page.socket)
         try:

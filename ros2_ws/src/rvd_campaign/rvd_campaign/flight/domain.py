@@ -1,43 +1,145 @@
 """
 A DDS domain id for each run, so that runs side by side do not hear each other.
+
+A run holds its id by a lock on a file in a folder that only its user can write to; the file says
+who holds it. Other users have folders of their own: an id is only chosen where nobody on this
+machine uses its ports, and two runs that meet all the same tell each other apart (see
+`rvd_dynamics.diagram.ros.identity`).
 """
 
-import fcntl
-import os
-import random
-import tempfile
+from collections.abc import Iterator
 from contextlib import contextmanager
+import fcntl
+import json
+import os
 from pathlib import Path
-from typing import Iterator
+import random
+import stat
+import tempfile
+import time
+
+from rvd_campaign.exits import CannotRun
 
 # Above 101 the ports of a domain reach into the range that Linux gives to outgoing connections.
 IDS = range(1, 102)
+LARGEST = 232
+FIRST_PORT, PORTS = 7400, 250           # UDP ports of domain 0, and how many each domain has
+SOCKETS = Path('/proc/net/udp')
+
+
+class Domain(int):
+    """A DDS domain id that is held."""
+
+    file: int                               # descriptor of the lock
+
+    def held_for(self, what: str) -> None:
+        """Say what holds it, a run folder: told to whoever asks for the same id."""
+        text = json.dumps({'pid': os.getpid(), 'what': what,
+                           'since': time.strftime('%Y-%m-%d %H:%M:%S')})
+        os.ftruncate(self.file, 0)
+        os.pwrite(self.file, text.encode(), 0)
 
 
 @contextmanager
-def reserved_domain() -> Iterator[int]:
+def reserved_domain() -> Iterator[Domain]:
     """
-    Yield the user's own `ROS_DOMAIN_ID`, or one that no other run of this machine holds.
+    Hold the user's own `ROS_DOMAIN_ID`, or one that no other run of this machine holds.
 
     Raises
     ------
-    ValueError
-        If `ROS_DOMAIN_ID` is no whole number from 0 to 232, or every id is taken.
+    CannotRun
+        If `ROS_DOMAIN_ID` is no whole number from 0 to 232 or another run of this user holds it,
+        if every id is taken, or if there is no folder of the user's own for the locks.
     """
+    given, folder = asked_for(), _folder()
+    busy = _busy() if given is None else set()
+    ids = random.SystemRandom().sample(IDS, len(IDS)) if given is None else [given]
+    domain = next((found for i in ids if i not in busy
+                   and (found := _locked(folder, i)) is not None), None)
+    if domain is None and given is not None:
+        raise CannotRun(f'ROS_DOMAIN_ID={given} is held by another run'
+                        f'{_who_holds(folder / str(given))}: unset ROS_DOMAIN_ID to get a free '
+                        'one, or give another')
+    if domain is None:
+        raise CannotRun('every DDS domain id from 1 to 101 is in use on this machine: end other '
+                        'runs, or set ROS_DOMAIN_ID')
+    try:
+        yield domain
+    finally:
+        os.close(domain.file)
+
+
+def asked_for() -> int | None:
+    """Return the user's own `ROS_DOMAIN_ID`, None if there is none; CannotRun if it is wrong."""
     given = os.environ.get('ROS_DOMAIN_ID', '')
-    if given:
-        if not given.isdigit() or int(given) > 232:
-            raise ValueError(f'ROS_DOMAIN_ID must be a whole number from 0 to 232, got {given!r}')
-        yield int(given)
-        return
-    folder = Path(tempfile.gettempdir()) / f'rvd-domains-{os.getuid()}'
-    folder.mkdir(mode=0o700, exist_ok=True)
-    for domain in random.SystemRandom().sample(IDS, len(IDS)):
-        with (folder / str(domain)).open('w') as lock:
-            try:
-                fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            except OSError:
-                continue
-            yield domain
-            return
-    raise ValueError('every DDS domain id from 1 to 101 is taken by a run on this machine')
+    if not given:
+        return None
+    if not (given.isascii() and given.isdecimal() and int(given) <= LARGEST):
+        raise CannotRun(f'ROS_DOMAIN_ID must be a whole number from 0 to {LARGEST}, got {given!r}')
+    return int(given)
+
+
+def _folder() -> Path:
+    """Return the folder of the locks, which nobody else can write to."""
+    runtime = os.environ.get('XDG_RUNTIME_DIR', '')
+    if runtime and _is_ours(Path(runtime)):
+        folder = Path(runtime) / 'rvd-domains'
+    else:
+        folder = Path(tempfile.gettempdir()) / f'rvd-domains-{os.getuid()}'
+    try:
+        folder.mkdir(mode=0o700, exist_ok=True)
+    except OSError as error:
+        if not isinstance(error, FileExistsError):
+            raise CannotRun(f'cannot make {folder}, where runs lock their ROS_DOMAIN_ID: '
+                            f'{error.strerror}') from None
+    if not _is_ours(folder):
+        raise CannotRun(f'{folder} must be a folder of your own that nobody else can write to, '
+                        'since runs lock their ROS_DOMAIN_ID there: remove it, or set '
+                        'XDG_RUNTIME_DIR to a folder of your own with mode 700')
+    return folder
+
+
+def _is_ours(folder: Path) -> bool:
+    try:
+        found = folder.lstat()                  # a link may lead anywhere
+    except OSError:
+        return False
+    writable = found.st_mode & (stat.S_IWGRP | stat.S_IWOTH)
+    return stat.S_ISDIR(found.st_mode) and found.st_uid == os.getuid() and not writable
+
+
+def _locked(folder: Path, number: int) -> Domain | None:
+    """Lock the file of a domain id; return the id, None if another process has locked it."""
+    path, domain = folder / str(number), Domain(number)
+    domain.file = -1
+    try:
+        domain.file = os.open(path, os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW | os.O_CLOEXEC, 0o600)
+        fcntl.flock(domain.file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        domain.held_for('')
+    except OSError as error:
+        if domain.file >= 0:
+            os.close(domain.file)
+        if isinstance(error, BlockingIOError):
+            return None
+        raise CannotRun(f'cannot lock {path}: {error.strerror}') from None
+    return domain
+
+
+def _who_holds(path: Path) -> str:
+    """Return in words who has locked a file; empty if it does not say."""
+    try:
+        said = json.loads(path.read_text(encoding='utf-8'))
+        what = f', {said["what"]}' if said['what'] else ''
+        return f' (process {said["pid"]}{what}, since {said["since"]})'
+    except (OSError, ValueError, TypeError, KeyError):      # it is just being written
+        return ''
+
+
+def _busy() -> set[int]:
+    """Return the domains of which somebody on this machine, whoever it is, uses a UDP port."""
+    try:
+        lines = SOCKETS.read_text(encoding='ascii').splitlines()[1:]
+    except OSError:
+        return set()
+    ports = [int(line.split()[1].rpartition(':')[2], 16) for line in lines]
+    return {(port - FIRST_PORT) // PORTS for port in ports}
