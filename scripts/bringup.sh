@@ -15,7 +15,10 @@
 # that the bag holds what the others said at the end, and by SIGKILL what does not go. Nodes do not
 # outlive it, however it ends (rvd_dynamics/lifeline.py). Exit code 0 if every process ended well.
 
+[ -n "${BASH_VERSION:-}" ] || exec bash "$0" "$@"        # as `sh bringup.sh`
+set +o posix
 set -u
+unset CDPATH                                    # or `cd` prints, and goes elsewhere
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 case "${1:-}" in
     -h | --help | '') sed -n '3,18s/^# \{0,1\}//p' "$0"; [ -n "${1:-}" ]; exit $(($? * 2)) ;;

@@ -18,7 +18,7 @@ load_overlay() {
             printf 'rvd: RVD_OVERLAY: no folder %s\n' "$prefix" >&2
             return 2
         fi
-        prefix=$(cd "$prefix" && pwd)           # a command may change the working directory
+        prefix=$(CDPATH= cd -- "$prefix" && pwd)      # a command may change the working directory
         if ! compgen -G "$prefix/share/ament_index/resource_index/packages/*" > /dev/null &&
             ! compgen -G "$prefix/*/share/ament_index/resource_index/packages/*" > /dev/null; then
             printf 'rvd: RVD_OVERLAY: %s holds no package: give the install folder of a colcon build\n' \

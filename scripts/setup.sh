@@ -10,7 +10,10 @@
 # record of its inputs is written, which is its last act: a set-up killed at any point is repaired
 # by the next. Only one set-up runs at a time: others wait, then find the work done.
 
+[ -n "${BASH_VERSION:-}" ] || exec bash "$0" "$@"        # as `sh setup.sh`
+set +o posix
 set -euo pipefail
+unset CDPATH                                    # or `cd` prints, and goes elsewhere
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd -P)
 source "$root/scripts/state.sh"
 

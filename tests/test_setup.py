@@ -117,6 +117,39 @@ def test_unknown_command_is_refused_without_setting_up(project):
     assert not (project / '.rvd').exists()
 
 
+@pytest.mark.parametrize('shell', ['sh', 'dash', 'bash'])
+@pytest.mark.parametrize('posix', [{}, {'POSIXLY_CORRECT': '1'}], ids=['', 'posixly correct'])
+def test_it_may_be_started_by_the_name_of_a_shell(project, shell, posix):
+    if shutil.which(shell) is None:
+        pytest.skip(f'no {shell} here')
+    done = subprocess.run([shell, 'rvd', 'help'], cwd=project, env={**outside(), **posix},
+                          capture_output=True, text=True)
+    assert (done.returncode, done.stderr) == (0, '') and done.stdout.startswith('rvd: ')
+    for script in ('setup.sh', 'bringup.sh'):
+        done = subprocess.run([shell, f'scripts/{script}', '--help'], cwd=project, text=True,
+                              env={**outside(), **posix}, capture_output=True)
+        assert 'Bad substitution' not in done.stderr and 'Illegal option' not in done.stderr
+        assert script in done.stdout or 'setup takes' in done.stderr
+
+
+@pytest.mark.parametrize('where', ['.', 'elsewhere'])
+def test_a_search_path_of_cd_leads_no_script_astray(project, where):
+    (project / 'elsewhere' / 'scripts').mkdir(parents=True)
+    (project / 'rvd').write_text('#!/bin/sh\necho "called: $*"\n')        # bringup.sh asks it
+    done = subprocess.run(['bash', 'scripts/bringup.sh', 'paper.yaml', 'run'], cwd=project,
+                          env={**outside(), 'CDPATH': str(project / where)},
+                          capture_output=True, text=True)
+    assert (done.stdout, done.stderr) == (
+        'called: shell scripts/bringup.sh paper.yaml run\n', '')
+    (project / 'overlay' / 'share/ament_index/resource_index/packages/mine').mkdir(parents=True)
+    (project / 'overlay' / 'local_setup.bash').touch()
+    done = subprocess.run(
+        ['bash', '-c', 'source scripts/overlay.sh; load_overlay; echo "$RVD_OVERLAY"'],
+        cwd=project, env={**outside(), 'CDPATH': str(project / where), 'RVD_OVERLAY': 'overlay'},
+        capture_output=True, text=True)
+    assert (done.stdout, done.stderr) == (f'{project}/overlay\n', '')
+
+
 @pytest.mark.parametrize('missing', [['cmake'], ['g++'], ['make'], ['cmake', 'g++', 'make']])
 def test_missing_tools_are_named_as_packages_to_install(project, tmp_path, missing):
     tools = folder_of_tools(tmp_path / 'tools', without=missing)

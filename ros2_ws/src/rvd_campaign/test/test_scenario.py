@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from rvd_campaign import catalogue
 from rvd_dynamics.diagram.params import leaves
 from rvd_dynamics.diagram.scenario import (
-    load, parse, Scenario, ScenarioError, sections_of)
+    load, parse, parse_known, Scenario, ScenarioError, sections_of)
 
 SHIPPED = sorted((catalogue.root() / 'scenarios').glob('*.yaml'))
 
@@ -140,3 +140,44 @@ def test_with_values_checks_what_it_sets():
     assert scenario.with_values('/**', corridor__half_angle_deg=4.0).part('cone').alpha > 0.06
     with pytest.raises(ScenarioError, match='modus'):
         scenario.with_values('/**', modus='auto')
+
+
+# -- as other ROS parameter files are written ------------------------------------------------------
+
+def test_a_leading_slash_names_the_same_node():
+    plain = 'spacecraft_dynamics: {ros__parameters: {execution_noise_fraction: 0.25}}'
+    text = f'/{plain}\n/link_back: {{ros__parameters: {{loss_fraction: 0.5}}}}'
+    assert parse(text, 'trial').sections == parse(text.replace('/', ''), 'trial').sections
+    assert parse_known(text, 'trial')[0].sections == parse(text, 'trial').sections
+
+
+@pytest.mark.parametrize('node', ['guard', 'link_back'])
+def test_a_node_that_is_given_with_and_without_slash_is_refused(node):
+    line = refusal(f'{node}: {{ros__parameters: {{}}}}\n/{node}: {{ros__parameters: {{}}}}')
+    assert f'{node} is given twice' in line
+
+
+@pytest.mark.parametrize('name', ['/', '//link_back', '/ns/link_back', '/*', '1'])
+def test_other_names_are_no_node(name):
+    assert 'no node' in refusal(f'"{name}": {{ros__parameters: {{}}}}')
+
+
+@pytest.mark.parametrize('value', ['true', 'false', '1'])
+@pytest.mark.parametrize('section', ['/**', 'link_back', '/spacecraft_dynamics'])
+def test_use_sim_time_is_refused_with_the_remedy(section, value):
+    line = refusal(f'{section}: {{ros__parameters: {{use_sim_time: {value}}}}}')
+    assert section.removeprefix('/s') in line or 'spacecraft' in line
+    assert 'leave out use_sim_time' in line
+
+
+# -- seeds: what a ROS parameter can hold ------------------------------------------------------------
+
+@pytest.mark.parametrize('seed', [0, 7, 2**63 - 1])
+def test_a_seed_that_fits_a_parameter_of_ros_is_taken(seed):
+    assert parse(shared(seed=seed), 'trial').run.seed == seed
+
+
+@pytest.mark.parametrize('seed', [-1, 2**63, 2**64, 10**30, 1.0, '1e3', 'seven', True, None, [1]])
+def test_any_other_seed_is_refused_by_its_value(seed):
+    line = refusal(shared(seed=seed))
+    assert 'seed must' in line and str(seed) in line

@@ -92,6 +92,9 @@ def _new(args: argparse.Namespace) -> tuple[Campaign, Path]:
     folder = new_folder(args.out, campaign.name)
     try:
         engine.start(campaign, folder)
+    except FileExistsError:
+        raise CannotRun(f'--out {folder} has just been taken by another campaign: give another '
+                        'folder') from None
     except OSError as error:
         raise engine.full_disk(folder, error) from None
     return campaign, folder

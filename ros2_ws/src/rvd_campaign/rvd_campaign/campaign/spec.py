@@ -160,7 +160,7 @@ class _Reader:
                 self._refuse(f'unknown key {key}' + nearest(str(key), KEYS))
         seed = tree.get('seed', 0)
         if isinstance(seed, bool) or not isinstance(seed, int) or not 0 <= seed < 2**63:
-            self._refuse(f'seed must be a whole number, not negative, got {seed}')
+            self._refuse(f'seed must be a whole number from 0 to 2^63 - 1, got {seed}')
         scenario = self._scenario(tree.get('scenario', 'paper'), seed)
         groups = self._groups(tree.get('conditions', {'all': None}))
         cells = self._cells(tree.get('grid', {}), len(groups))

@@ -31,7 +31,7 @@ def main(args: argparse.Namespace) -> int:
     with reserved_domain() as domain:           # refused, if it must be, before there is a folder
         run_dir = fly.new_folder(args.out, scenario.name)
         domain.held_for(str(run_dir.absolute()))
-        (run_dir / 'scenario.yaml').write_text(scenario.dump(), encoding='utf-8')
+        fly.keep_scenario(run_dir, scenario)
         print(f'{fly.introduced(scenario)}, ROS_DOMAIN_ID={domain}, {run_dir}', flush=True)
         code = fly.Flight(scenario, run_dir, domain, args.headless).fly()
     if again and code in (EXIT_DONE, EXIT_FAILED):

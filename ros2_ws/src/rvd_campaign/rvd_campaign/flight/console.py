@@ -183,7 +183,7 @@ def _folder(args: argparse.Namespace, wish: dict[str, Any], runs: Path, flown: i
 
 def _fly(page: ConsoleProcess, scenario: Scenario, run_dir: Path, runs: Path, domain: int,
          headless: bool) -> int:
-    (run_dir / 'scenario.yaml').write_text(scenario.dump(), encoding='utf-8')
+    fly.keep_scenario(run_dir, scenario)
     print(f'{fly.introduced(scenario)}, {run_dir}', flush=True)
     name = os.path.relpath(run_dir, runs)
     page.tell('starting', name)

@@ -110,23 +110,50 @@ def pace_of(text: str) -> dict[str, object]:
 
 
 def new_folder(out: str | None, name: str) -> Path:
-    """Make the run folder; one that holds something is never written into."""
-    if out is not None:
-        folder = Path(out)
-        if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
-            raise CannotRun(f'--out {folder} exists already: nothing is overwritten, '
-                            'give another folder or remove it')
-    else:
-        stem = f'{time.strftime("%Y%m%d-%H%M%S")}-{re.sub("[^A-Za-z0-9_-]", "_", name)}'
-        folder, number = Path('runs') / stem, 1
-        while folder.exists():
-            number += 1
-            folder = Path('runs') / f'{stem}-{number}'
+    """
+    Make the run folder; one that holds something is never written into.
+
+    Of two commands that want the same name at the same moment one makes the folder: the other
+    takes the next name, or is refused where `out` says which.
+    """
+    stem = f'{time.strftime("%Y%m%d-%H%M%S")}-{re.sub("[^A-Za-z0-9_-]", "_", name)}'
+    folder, number = Path('runs') / stem if out is None else Path(out), 1
+    while True:
+        try:
+            folder.mkdir(parents=True)
+            return folder
+        except FileExistsError:
+            if out is not None:
+                return _empty(folder)
+        except OSError as error:
+            raise CannotRun(f'cannot make the run folder {folder}: {error.strerror}') from None
+        number += 1
+        folder = Path('runs') / f'{stem}-{number}'
+
+
+def _empty(folder: Path) -> Path:
+    """Return a folder that exists if nothing is in it."""
     try:
-        folder.mkdir(parents=True, exist_ok=True)
+        if not any(folder.iterdir()):
+            return folder
+    except NotADirectoryError:
+        pass
     except OSError as error:
-        raise CannotRun(f'cannot make the run folder {folder}: {error.strerror}') from None
-    return folder
+        raise CannotRun(f'cannot read the run folder {folder}: {error.strerror}') from None
+    raise CannotRun(f'--out {folder} exists already: nothing is overwritten, '
+                    'give another folder or remove it')
+
+
+def keep_scenario(run_dir: Path, scenario: Scenario) -> None:
+    """Write the scenario into a new run folder, unless another run has just taken that one."""
+    try:
+        with (run_dir / 'scenario.yaml').open('x', encoding='utf-8') as file:
+            file.write(scenario.dump())
+    except FileExistsError:
+        raise CannotRun(f'--out {run_dir} has just been taken by another run: give another '
+                        'folder') from None
+    except OSError as error:
+        raise CannotRun(f'cannot write into the run folder {run_dir}: {error.strerror}') from None
 
 
 class Flight:

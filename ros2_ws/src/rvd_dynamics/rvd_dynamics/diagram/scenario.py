@@ -271,7 +271,7 @@ def load(path: Path) -> Scenario:
 
 def parse(text: str, name: str) -> Scenario:
     """Return the scenario in a text, checked; errors as `load`."""
-    tree = mapping_of(text, f'scenario {name}')
+    tree = sections_in(text, f'scenario {name}')
     mission = mission_of(tree, name)
     sections = {}
     for section, body in tree.items():
@@ -291,7 +291,7 @@ def parse_known(text: str, name: str) -> tuple[Scenario, list[str]]:
     What this version does not know is left out; for all else errors are those of `load`. A text
     without a mission is of the default one only if its nodes are: they cannot tell of another.
     """
-    tree = mapping_of(text, f'scenario {name}')
+    tree = sections_in(text, f'scenario {name}')
     mission = mission_of(tree, name)
     if not _names_mission(tree):
         strange = [str(section) for section in tree
@@ -335,6 +335,9 @@ def check_keys(name: str, mission: Mission, section: str, flat: Mapping[str, Any
     for key in flat:
         if key in known:
             continue
+        if key == 'use_sim_time':
+            raise ScenarioError(f'scenario {name}: {section}: leave out use_sim_time: nodes of a '
+                                'run go by its steps and read no clock')
         if section != SHARED and key in _known(mission, SHARED):
             raise ScenarioError(f'scenario {name}: {section}: {key} is shared by all nodes and '
                                 f'stands under {SHARED} only')
@@ -367,6 +370,21 @@ def mapping_of(text: str, what: str) -> dict:
         raise ScenarioError(f'{what} is not valid YAML: {line}') from None
     if not isinstance(tree, dict):
         raise ScenarioError(f'{what} is empty or not a mapping')
+    return tree
+
+
+def sections_in(text: str, what: str) -> dict[str, Any]:
+    """
+    Return what a parameter file holds by the names of nodes, or refuse it in one line.
+
+    As in ROS, `/node` is the node `node`.
+    """
+    tree: dict[str, Any] = {}
+    for key, body in mapping_of(text, what).items():
+        name = str(key) if key == SHARED else str(key).removeprefix('/')
+        if name in tree:
+            raise ScenarioError(f'{what}: {name} is given twice, as {name} and as /{name}')
+        tree[name] = body
     return tree
 
 

@@ -66,8 +66,7 @@ class Arguments:
         tree: dict[str, dict[str, Any]] = {}
         for file in self.files:
             text = scenarios.text_of(file, 'parameter file')
-            for section, body in scenarios.mapping_of(text, str(file)).items():
-                name = str(section) if section == SHARED else str(section).lstrip('/')
+            for name, body in scenarios.sections_in(text, str(file)).items():
                 if name not in (SHARED, self.name):         # of another node: its own business
                     values = body.get('ros__parameters') if isinstance(body, dict) else None
                     flat = dotted(values) if isinstance(values, dict) else {}
