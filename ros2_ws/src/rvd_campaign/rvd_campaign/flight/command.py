@@ -5,7 +5,7 @@
 import argparse
 
 from rvd_campaign.exits import CannotRun, EXIT_DONE, EXIT_FAILED
-from rvd_campaign.flight import fly, verdict
+from rvd_campaign.flight import fly, preflight, verdict
 from rvd_campaign.flight.domain import reserved_domain
 from rvd_campaign.flight.interrupts import all_like_ctrl_c
 
@@ -24,6 +24,7 @@ def main(args: argparse.Namespace) -> int:
     scenario = again.chosen(args) if again else fly.chosen(args)
     scenario.diagram                            # refused now if it must be
     fly.check_foreign(scenario)
+    preflight.check()
     if 'console' in (args.operator, fly.operator_of(scenario)):
         from rvd_campaign.flight import console
         return console.main(args, scenario)
