@@ -36,7 +36,7 @@ def ros(monkeypatch):
 
 def arguments(scenario):
     """Return what a process is told, with a scenario that stands in no file."""
-    return SimpleNamespace(name='toy', scenario=scenario, text=lambda: '')
+    return SimpleNamespace(name='toy', scenario=scenario, run_id='/', text=lambda: '')
 
 
 class Processes:
@@ -228,6 +228,7 @@ def test_in_real_time_a_fault_within_anothers_firing_is_named_by_its_own_block()
 def guard():
     """Return the guard of a run in real time, alone in its process; it reads two signals."""
     host = Host(arguments(toy_mission.scenario(pace='realtime', wanted_delay=1)))
+    host.begun = True
     make(host, ('guard',))
     host.nodes['guard']._on_clock(100, None)
     yield host.nodes['guard']
@@ -273,6 +274,7 @@ def test_in_real_time_a_jump_fires_every_step_between(guard):
 
 def test_in_lock_step_nothing_fires_with_an_input_missing():
     host = Host(arguments(toy_mission.scenario(wanted_delay=1)))
+    host.begun = True
     make(host, ('guard',))
     node = host.nodes['guard']
     node._on_clock(100, None)
@@ -287,6 +289,7 @@ def test_in_lock_step_nothing_fires_with_an_input_missing():
 
 def test_a_block_that_reads_only_what_is_past_does_not_run_ahead_of_the_world():
     host = Host(arguments(toy_mission.scenario(measured_delay=3)))
+    host.begun = True
     make(host, ('law',))
     node = host.nodes['law']
     toy_mission.LOG.clear()

@@ -143,9 +143,11 @@ def test_every_node_has_one_process_and_externals_have_their_own(run):
 
 def test_the_bring_up_gets_one_line_a_process_that_a_shell_can_read(run):
     roster = whole(run)
-    for process, line in zip(roster.processes, lines(roster, '/run/with a blank'), strict=True):
+    for process, line in zip(roster.processes, lines(roster, '/run/with a blank', '/rvd/here/run_1'),
+                             strict=True):
         name, package, executable, *arguments = shlex.split(line)
         assert (name, package, executable) == process[:3]
+        assert arguments[arguments.index('--enclave') + 1] == '/rvd/here/run_1'
         assert f'nodes:=[{",".join(roster.names)}]' in arguments
         told = [a for a in arguments if a.startswith(('__node:=', 'group:='))]
         assert told == [f'group:={name}' if process.grouped else f'__node:={name}']

@@ -30,6 +30,7 @@ from rvd_campaign.bench.before import BringUp, Checkout
 from rvd_campaign.bench.processes import cpu_s
 from rvd_campaign.flight.domain import reserved_domain
 from rvd_campaign.flight.supervisor import Supervisor
+from rvd_dynamics.diagram.identity import new_run
 from rvd_dynamics.diagram.ros import qos
 from rvd_dynamics.diagram.roster import listed, Roster
 from rvd_dynamics.diagram.scenario import load, Scenario
@@ -138,7 +139,7 @@ def fly_ours(scenario: Path, folder: Path, domain: int) -> Meter:
     (folder / 'logs').mkdir(parents=True)
     observer = Observer(domain)                 # before the nodes: in one process they are quick
     supervisor = Supervisor(catalogue.root() / 'scripts' / 'bringup.sh', scenario, folder,
-                            False, domain, listed(load(scenario), headless=False))
+                            False, domain, listed(load(scenario), headless=False), new_run())
 
     def pids() -> dict[str, int]:
         supervisor.poll()

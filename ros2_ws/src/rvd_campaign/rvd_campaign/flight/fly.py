@@ -19,6 +19,7 @@ from rvd_campaign.flight import verdict
 from rvd_dynamics.recording import drawing, reader
 from rvd_campaign.exits import (
     CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_FAILED, EXIT_INTERRUPTED)
+from rvd_dynamics.diagram.identity import new_run
 from rvd_dynamics.diagram.roster import listed
 from rvd_dynamics.diagram.scenario import load, Scenario
 from rvd_campaign.flight.interrupts import uninterrupted
@@ -167,15 +168,16 @@ class Flight:
         self._run_dir, self._domain = run_dir, domain
         self._headless = headless
         self._stop_asked = stop_asked
+        self._run_id = new_run()
         self._supervisor = Supervisor(
             catalogue.root() / 'scripts' / 'bringup.sh', run_dir / 'scenario.yaml', run_dir,
-            headless, domain, self._roster)
+            headless, domain, self._roster, self._run_id)
         try:
             if scenario.run.processes == 'one':     # a core is idle while the one process starts
                 threading.Thread(target=_load_the_report, daemon=True).start()
             os.environ['ROS_LOG_DIR'] = str(run_dir.resolve() / 'logs')     # and not ~/.ros
             from rvd_campaign.flight.watch import FlightWatch   # imports ROS while the nodes do
-            self._watch = FlightWatch(self._roster, domain)
+            self._watch = FlightWatch(self._roster, domain, self._run_id)
         except BaseException:                       # Ctrl-C, too
             self._supervisor.stop()
             raise
@@ -337,10 +339,9 @@ class Flight:
     # -- what is shown --------------------------------------------------------------------
 
     def _show(self) -> None:
-        for event in self._watch.events:
+        for event in self._watch.new_events():
             self._end_line()
             print(f'  {event.step * self._run.step_s:.1f} s {event.node}: {event.text}')
-        self._watch.events.clear()
         if self._headless:
             return
         line = self._watch.line()

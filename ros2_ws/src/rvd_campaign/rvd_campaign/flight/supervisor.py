@@ -24,7 +24,7 @@ class Supervisor:
     """
 
     def __init__(self, bringup: Path, scenario: Path, run_dir: Path, headless: bool,
-                 domain: int, roster: Roster) -> None:
+                 domain: int, roster: Roster, run_id: str) -> None:
         """Start the bring-up of the processes that a roster has."""
         self.run_dir = run_dir
         self.pids: dict[str, int] = {}
@@ -37,7 +37,7 @@ class Supervisor:
             preexec_fn=lambda: lifeline.die_with_parent(signal.SIGTERM), env={
                 **os.environ, 'ROS_DOMAIN_ID': str(domain),
                 'ROS_LOG_DIR': str(run_dir.resolve() / 'logs'),
-                'RVD_PROCESSES': '\n'.join(lines(roster, str(run_dir.resolve())))})
+                'RVD_PROCESSES': '\n'.join(lines(roster, str(run_dir.resolve()), run_id))})
         self._lines: queue.Queue[str] = queue.Queue()
         self._reader = threading.Thread(target=self._read, daemon=True)
         self._reader.start()

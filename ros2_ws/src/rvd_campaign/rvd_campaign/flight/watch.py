@@ -16,6 +16,7 @@ from rclpy.qos import QoSProfile
 from rclpy.serialization import deserialize_message
 
 from rvd_dynamics.commands.codes import BY_AUTO, BY_BLEND, BY_GUARD, BY_NOBODY, BY_PILOT
+from rvd_dynamics.diagram.identity import who_is_ready
 from rvd_dynamics.diagram.judge import from_message
 from rvd_dynamics.diagram.ros import qos
 from rvd_dynamics.diagram.ros.conversions import ns_of
@@ -31,7 +32,8 @@ DECIDES = {BY_NOBODY: 'nobody', BY_PILOT: 'pilot', BY_AUTO: 'auto', BY_GUARD: 'g
 class FlightWatch:
     """Follows one run; `spin` it, then ask."""
 
-    def __init__(self, roster: Roster, domain: int) -> None:
+    def __init__(self, roster: Roster, domain: int, run_id: str) -> None:
+        self._run_id = run_id
         self._roster, self._run = roster, roster.scenario.run
         self._held = roster.scenario.has_shared('joy_input') and \
             roster.scenario.part('operation').joy_input == 'held'
@@ -51,16 +53,16 @@ class FlightWatch:
         self._raw: dict[str, bytes] = {}
         self.ready: set[str] = set()
         self.paused = False
-        self.verdict = None
-        self.events: list[Any] = []
+        self._verdict = None
+        self._events: list[Any] = []
         self.steps = 0                          # truth messages looked at
         self.progress_at = time.monotonic()     # when the last one came
         for topic in filter(None, (self._truth, self._command, self._back)):
             self._subscribe(topic, lambda data, topic=topic: self._keep(topic, data), raw=True)
-        self._subscribe('/run/ready', lambda m: self.ready.add(m.data))
+        self._subscribe('/run/ready', self._on_ready)
         self._subscribe('/run/pause', self._on_pause)
         self._subscribe('/run/verdict', self._on_verdict)
-        self._subscribe('/run/events', self.events.append)
+        self._subscribe('/run/events', self._events.append)
 
     def _subscribe(self, topic: str, callback: Any, raw: bool = False) -> None:
         profile = qos.of(topic, self._held)
@@ -68,7 +70,32 @@ class FlightWatch:
             message_type(self._roster.topics[topic]), topic, callback,
             _newest(profile) if raw else profile, raw=raw)
 
+    @property
+    def begun(self) -> bool:
+        """Whether this run has begun: what comes before may be of another run in this domain."""
+        return self._roster.diagram.plant in self.ready
+
+    @property
+    def verdict(self) -> Any:
+        """The last verdict of this run; None before the first."""
+        return self._verdict if self.begun else None
+
+    def new_events(self) -> list[Any]:
+        """Return what has happened since the last call."""
+        if not self.begun:
+            return []
+        events = self._events[:]
+        self._events.clear()
+        return events
+
+    def _on_ready(self, message: Any) -> None:
+        node, run = who_is_ready(message.data, self._run_id)
+        if run == self._run_id:
+            self.ready.add(node)
+
     def _keep(self, topic: str, data: bytes) -> None:
+        if not self.begun:
+            return
         self._raw[topic] = data
         if topic == self._truth:
             self.steps += 1
@@ -80,7 +107,7 @@ class FlightWatch:
         self.progress_at = time.monotonic()
 
     def _on_verdict(self, message: Any) -> None:
-        self.verdict = message
+        self._verdict = message
 
     def spin(self, seconds: float) -> None:
         """Take in what arrives during `seconds` of wall time."""

@@ -21,6 +21,7 @@ from typing import NamedTuple
 import yaml
 
 from rvd_dynamics.diagram.block import External, GROUND, Leg, Read, WATCH
+from rvd_dynamics.diagram.identity import new_run
 from rvd_dynamics.diagram.scenario import load, Scenario
 
 # What a run says about itself, besides the signals of its diagram.
@@ -253,16 +254,17 @@ def listed(scenario: Scenario, headless: bool, console: bool = False) -> Roster:
     return Roster(scenario, (*blocks, *externals, *watchers))
 
 
-def lines(roster: Roster, run_dir: str) -> list[str]:
+def lines(roster: Roster, run_dir: str, run_id: str) -> list[str]:
     """
     Return one line per process: name, package, executable and ROS arguments, for a shell.
 
-    The recorder's is the last one, by which the bring-up knows it.
+    `run_id`: enclave of the run, from `identity.new_run`. The recorder's line is the last one, by
+    which the bring-up knows it.
     """
     names = f'[{",".join(roster.names)}]'
     made = []
     for process in sorted(roster.processes, key=lambda p: RECORDER in p.nodes):
-        arguments = ['-p', f'nodes:={names}']
+        arguments = ['--enclave', run_id, '-p', f'nodes:={names}']
         if process.grouped:
             arguments += ['-p', f'group:={process.name}']
         else:
@@ -288,7 +290,8 @@ def main(arguments: list[str]) -> int:
     """Print the processes of a scenario; return the exit code."""
     try:
         scenario, run_dir, *options = arguments
-        print('\n'.join(lines(listed(load(Path(scenario)), '--headless' in options), run_dir)))
+        print('\n'.join(lines(
+            listed(load(Path(scenario)), '--headless' in options), run_dir, new_run())))
     except ValueError as error:
         print(f'bringup: {error}', file=sys.stderr)
         return 2

@@ -14,6 +14,7 @@ from typing import Any
 import yaml
 
 from rvd_dynamics.diagram import scenario as scenarios
+from rvd_dynamics.diagram.identity import own_run
 from rvd_dynamics.diagram.params import dotted
 from rvd_dynamics.diagram.scenario import check_keys, nearest, Scenario, SHARED
 
@@ -29,6 +30,7 @@ class Arguments:
     files: tuple[Path, ...] = ()
     overrides: tuple[tuple[str, str, Any], ...] = ()        # node or '', key, value
     process: dict[str, Any] = field(default_factory=dict)   # OF_THE_PROCESS
+    run_id: str = '/'                   # enclave of the run; see `diagram.identity`
 
     @cached_property
     def scenario(self) -> Scenario:
@@ -122,4 +124,4 @@ def parsed(argv: list[str]) -> Arguments:
                 process[key] = given
             else:
                 overrides.append((node, key, given))
-    return Arguments(executable, name, tuple(files), tuple(overrides), process)
+    return Arguments(executable, name, tuple(files), tuple(overrides), process, own_run(argv))

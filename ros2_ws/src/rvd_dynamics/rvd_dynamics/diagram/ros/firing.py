@@ -142,7 +142,7 @@ class FiringNode(RunNode):
             self._refuse(given, step)
             return
         given.held[step] = item
-        if self.realtime:
+        if self.realtime and self.host.begun:
             due = given.first_use(step, period)
             while self._next < due and self._next <= self._limit and not self._is_over():
                 self.fire()

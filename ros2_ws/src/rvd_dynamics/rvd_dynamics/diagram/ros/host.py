@@ -24,6 +24,7 @@ from rclpy.signals import SignalHandlerOptions
 from std_msgs.msg import String, UInt64
 
 from rvd_dynamics import lifeline
+from rvd_dynamics.diagram import identity
 from rvd_dynamics.diagram.ros.arguments import Arguments
 from rvd_dynamics.diagram.ros.conversions import header_at
 from rvd_dynamics.diagram.ros.node import RunNode
@@ -36,6 +37,7 @@ DIAGNOSTICS_PERIOD_S = 1.0      # [s] wall time
 MOMENT_S = 0.3                  # [s] wall time in which local readers get what was written last
 RECORDER_S = 5.0                # [s] wall time that a closing process gives the recorder
 SLICE_S = 0.05                  # [s] wall time of firing before the executor is looked at again
+UNKNOWN_NODE = '_NODE_NAME_UNKNOWN_'    # of an endpoint that was seen before its node
 
 
 def message_type(name: str) -> type:
@@ -63,6 +65,8 @@ class Host:
         self._diagnosed = time.monotonic()
         self._ended = False
         self._busy = False
+        self.begun = False                      # the barrier is behind us
+        self.run_id = arguments.run_id
 
     # -- nodes ------------------------------------------------------------------------------
 
@@ -123,13 +127,36 @@ class Host:
                     missing.append(topic)
         return missing
 
+    def _others(self) -> str:
+        """Return in words a node of another run in this domain; empty where there is none."""
+        ours = {name for name in self.roster.names if not (
+            name in self.roster.externals and self.roster.externals[name].foreign)}
+        return identity.foreign(self._lead.get_node_names_and_namespaces_with_enclaves(),
+                                ours, self.run_id)
+
+    def _are_known(self) -> bool:
+        """Say whether it is known which nodes write what this process reads."""
+        return not any(
+            writer.node_name == UNKNOWN_NODE for node in self.nodes.values()
+            for topic in node.subscriptions_of
+            for writer in node.get_publishers_info_by_topic(topic))
+
     def _check_barrier(self) -> None:
-        if self.unmatched():
+        waits = bool(self.unmatched()) or not self._are_known()
+        other = self._others()
+        if other:
+            domain = self._lead.context.get_domain_id()
+            self.fail(self._lead, ValueError(
+                f'another run is in ROS_DOMAIN_ID={domain}: {other}; give each run its own'))
             return
+        if waits:
+            return
+        self.begun = True
         self._barrier.cancel()
         self._lead.destroy_timer(self._barrier)
         for name in self.nodes:
-            self.publish(self._ready, '/run/ready', -1, String(data=name))
+            self.publish(self._ready, '/run/ready', -1,
+                         String(data=identity.ready_words(name, self.run_id)))
         for node in self.nodes.values():
             node.guarded(node.on_ready)()
 
@@ -162,9 +189,9 @@ class Host:
         self.publish(self._diagnostics, '/diagnostics', -1, message)
 
     def work(self) -> None:
-        """Fire every block whose inputs are complete, for a while."""
+        """Fire every block whose inputs are complete, for a while; nothing before the start."""
         until = time.monotonic() + SLICE_S
-        moved = True
+        moved = self.begun
         while moved and not self._ended:
             moved = False
             for node in self.firing:

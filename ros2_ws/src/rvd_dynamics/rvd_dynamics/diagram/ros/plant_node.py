@@ -8,6 +8,7 @@ from std_msgs.msg import Bool, String, UInt64
 
 from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.diagram.block import Block
+from rvd_dynamics.diagram.identity import in_words, who_is_ready
 from rvd_dynamics.diagram.ros.block_node import BlockNode
 from rvd_dynamics.diagram.ros.host import Host, SLICE_S
 from rvd_dynamics.diagram.ros.wire import Layout
@@ -40,13 +41,11 @@ class PlantNode(BlockNode):
     def connect(self) -> None:
         """Subscribe, also to what the run says about itself."""
         super().connect()
-        self.watch('/run/ready', String, lambda message: self._on_ready(message.data))
+        self.watch('/run/ready', String, lambda message: self._heard_ready(message.data))
         self.listen('/run/pause', Bool, lambda _, message: self._on_pause(message.data))
         if RECORDER in self.roster.names:
             self._recorded = -1
             self.listen('/run/recorded_step', UInt64, self._on_recorded)
-        self.host.publish(self._story, '/run/scenario', -1,
-                          String(data=self.host.arguments.text()))
 
     def on_step(self, k: int, values: dict[str, Any]) -> None:
         """Advance the truth; say when it is the last of it."""
@@ -65,7 +64,7 @@ class PlantNode(BlockNode):
             self.host.publish(self._end, '/run/end', -1, UInt64(data=k))
             self.host.end(k)
 
-    # -- pacing -----------------------------------------------------------------------------
+    # -- start and pacing -------------------------------------------------------------------
 
     def may_fire(self) -> bool:
         """In lock step, say whether the next step is due; in real time the clock alone does."""
@@ -80,7 +79,16 @@ class PlantNode(BlockNode):
             self.trouble.pop('recorder', None)
         return behind
 
-    def _on_ready(self, name: str) -> None:
+    def on_ready(self) -> None:
+        """Say what is flown, once it is sure that no other run hears it."""
+        self.host.publish(self._story, '/run/scenario', -1,
+                          String(data=self.host.arguments.text()))
+
+    def _heard_ready(self, words: str) -> None:
+        name, run = who_is_ready(words, self.host.run_id)
+        if run != self.host.run_id:             # both had begun before they met
+            raise ValueError(f'another run has come into ROS_DOMAIN_ID='
+                             f'{self.context.get_domain_id()}: {in_words(run)}; give each run its own')
         self._waiting_for.discard(name)
         if self._waiting_for or self._started:
             return
