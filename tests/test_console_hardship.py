@@ -120,7 +120,7 @@ def test_with_storage_blocked_by_the_browser_the_page_works_and_says_so(play, to
         page.keyboard.press('Escape')
         assert toy.url.split('#')[1] not in page.url
         page.reload()                           # the token comes along
-        until(page, 'window.rvd?.store.connected')
+        until(page, 'Boolean(window.rvd?.store.measured)')
         finish(page, toy)
         assert page.problems == []
     finally:
