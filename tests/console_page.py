@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 from runs import end, ROOT, start_rvd, wait_for
-from rvd_campaign.bench.console import FLAGS
+from rvd_campaign.bench.console import FLAGS  # noqa: F401 - for the tests
 
 WEB = ROOT / 'ros2_ws/src/rvd_groundstation/console_web'
 INSTALL = 'apt-get install -y chromium'
