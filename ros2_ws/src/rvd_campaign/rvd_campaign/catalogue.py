@@ -6,6 +6,8 @@ import os
 from pathlib import Path
 from typing import Iterator
 
+from rvd_dynamics.bad_input import BadInput
+
 
 def root() -> Path:
     """
@@ -21,7 +23,7 @@ def root() -> Path:
     for folder in candidates:
         if (folder / 'scenarios').is_dir() and (folder / 'scripts' / 'bringup.sh').is_file():
             return folder
-    raise ValueError('cannot find the project folder: set RVD_ROOT to it')
+    raise BadInput('cannot find the project folder: set RVD_ROOT to it')
 
 
 def find(kind: str, name: str, suffixes: tuple[str, ...]) -> Path:
@@ -41,7 +43,7 @@ def find(kind: str, name: str, suffixes: tuple[str, ...]) -> Path:
         if shipped.exists():
             return shipped
     names = ', '.join(n for n, _ in entries(kind))
-    raise ValueError(f'no {kind[:-1]} {name!r}: give a file or one of {names}')
+    raise BadInput(f'no {kind[:-1]} {name!r}: give a file or one of {names}')
 
 
 def entries(what: str) -> Iterator[tuple[str, str]]:
@@ -51,7 +53,7 @@ def entries(what: str) -> Iterator[tuple[str, str]]:
         for name in mission.installed():
             try:
                 yield name, mission.find(name).title.rstrip('.')
-            except ValueError as error:         # one that is broken hides no other
+            except BadInput as error:         # one that is broken hides no other
                 yield name, f'({error})'
         return
     if what == 'laws':

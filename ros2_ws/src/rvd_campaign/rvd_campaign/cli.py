@@ -1,15 +1,17 @@
 """
 The one command: `./rvd CMD` comes here for everything that is Python.
 
-Exit codes: 0 done (for `fly`: docked), 1 flown and failed, 2 could not run, 130 Ctrl-C.
-Bad input is one line on stderr and exit code 2.
+Exit codes: 0 done (for `fly`: docked), 1 flown and failed, 2 could not run, 3 a fault of this
+software, 130 Ctrl-C. Bad input is one line on stderr and exit code 2; a fault keeps its traceback.
 """
 
 import argparse
 import sys
+import traceback
 
-from rvd_campaign.exits import CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_INTERRUPTED
+from rvd_campaign.exits import CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_FAULT, EXIT_INTERRUPTED
 from rvd_campaign.output import keep_going
+from rvd_dynamics.bad_input import BadInput
 
 
 class Parser(argparse.ArgumentParser):
@@ -26,11 +28,16 @@ def main(argv: list[str] | None = None) -> int:
     args = parser().parse_args(argv)
     try:
         return args.run(args)
-    except (CannotRun, ValueError) as error:
+    except (CannotRun, BadInput) as error:
         print(f'rvd {args.command}: {error}', file=sys.stderr)
         return EXIT_CANNOT
     except KeyboardInterrupt:
         return EXIT_INTERRUPTED
+    except Exception as error:                  # noqa: B902 - a fault of ours keeps its traceback
+        traceback.print_exc()
+        print(f'rvd {args.command}: {type(error).__name__}: a fault of this software, not of what '
+              'it was given: please report it with the lines above', file=sys.stderr)
+        return EXIT_FAULT
 
 
 def parser() -> argparse.ArgumentParser:
@@ -53,7 +60,8 @@ def _add_fly(commands: argparse._SubParsersAction) -> None:
         'fly', help='fly one approach over DDS',
         description='Bring up the node graph, fly one approach, print the verdict and leave a run '
                     'folder with bag/, verdict.json, scenario.yaml, report.html and logs/.',
-        epilog='Exit codes: 0 docked, 1 flown and failed, 2 could not run, 130 Ctrl-C.')
+        epilog='Exit codes: 0 docked, 1 flown and failed, 2 could not run, 3 a fault of this '
+               'software, 130 Ctrl-C.')
     fly.add_argument('scenario', nargs='?', metavar='SCENARIO',
                      help='name from `rvd list scenarios`, or a file (default: paper; with '
                           '--operator console: hand)')

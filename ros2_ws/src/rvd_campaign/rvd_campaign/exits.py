@@ -5,6 +5,7 @@ How a command ends: exit codes, and the error that becomes one line.
 EXIT_DONE = 0                   # for `fly`: docked
 EXIT_FAILED = 1                 # flown and failed
 EXIT_CANNOT = 2                 # could not run
+EXIT_FAULT = 3                  # a fault of this software, with its traceback
 EXIT_INTERRUPTED = 130          # Ctrl-C
 
 

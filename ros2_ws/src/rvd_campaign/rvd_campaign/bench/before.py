@@ -15,6 +15,8 @@ from typing import Any
 
 import yaml
 
+from rvd_dynamics.bad_input import BadInput
+
 HOW = '--before DIR, a set-up checkout'         # where a figure would stand
 OURS = re.compile(r'VIRTUAL_ENV|PYTHON.*|LD_LIBRARY_PATH|(AMENT|CMAKE|COLCON)_PREFIX_PATH|RVD_.*|'
                   r'_ROS_WHEELS_BOOTSTRAP_COMPLETE')
@@ -53,7 +55,7 @@ class Checkout:
     def __init__(self, folder: Path) -> None:
         self.root = folder.resolve()
         if not (self.root / 'rvd').is_file() or not (self.root / '.rvd' / 'done').is_file():
-            raise ValueError(f'--before {folder} must be a checkout of the project that is set up: '
+            raise BadInput(f'--before {folder} must be a checkout of the project that is set up: '
                              f'git worktree add {folder} COMMIT && {folder}/rvd setup')
 
     def command(self, *arguments: object) -> list[str]:
@@ -85,7 +87,7 @@ class Checkout:
                               cwd=self.root, env=self.environment(), capture_output=True, text=True)
         words = done.stdout.split()[-2:]
         if done.returncode or words[:1] != ['rate']:
-            raise ValueError(f'{self.root} cannot fly table3: {done.stderr.strip()[-300:]}')
+            raise BadInput(f'{self.root} cannot fly table3: {done.stderr.strip()[-300:]}')
         return float(words[1])
 
 
@@ -132,5 +134,5 @@ class BringUp:
                 os.killpg(self._process.pid, signal.SIGKILL)
                 self._process.wait()
         if failed or not self.pids():
-            raise ValueError(f'the flight of the other checkout failed: {failed or ""} '
+            raise BadInput(f'the flight of the other checkout failed: {failed or ""} '
                              f'{self._said.read_text().strip()[-300:]}')

@@ -13,6 +13,7 @@ import time
 from pathlib import Path
 from statistics import median
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.recording.messages import files_of, MessageFile
 
@@ -53,7 +54,7 @@ def fly_once(command: tuple[str, ...] = COMMAND) -> dict:
             capture_output=True, text=True)
         wall, ended = time.monotonic() - clock, time.time()
         if done.returncode not in (0, 1):
-            raise ValueError(f'the flight ended with code {done.returncode}: '
+            raise BadInput(f'the flight ended with code {done.returncode}: '
                              f'{done.stderr.strip()}')
         truths = published(run)
         judged = (run / 'verdict.json').stat().st_mtime

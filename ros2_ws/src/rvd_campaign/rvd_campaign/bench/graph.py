@@ -30,6 +30,7 @@ from rvd_campaign.bench.before import BringUp, Checkout
 from rvd_campaign.bench.processes import cpu_s
 from rvd_campaign.flight.domain import reserved_domain
 from rvd_campaign.flight.supervisor import Supervisor
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.identity import new_run
 from rvd_dynamics.diagram.ros import qos
 from rvd_dynamics.diagram.roster import listed, Roster
@@ -124,7 +125,7 @@ class Observer:
                 meter.note(step, pids())
             self._steps.clear()
             if time.monotonic() > deadline:
-                raise ValueError(f'a measured flight did not end in {PATIENCE_S:g} s')
+                raise BadInput(f'a measured flight did not end in {PATIENCE_S:g} s')
         return meter
 
     def close(self) -> None:
@@ -151,7 +152,7 @@ def fly_ours(scenario: Path, folder: Path, domain: int) -> Meter:
         supervisor.stop()
         observer.close()
     for name, code in supervisor.failures().items():
-        raise ValueError(f'{name} ended with code {code}: {supervisor.last_words(name)}')
+        raise BadInput(f'{name} ended with code {code}: {supervisor.last_words(name)}')
     return meter
 
 

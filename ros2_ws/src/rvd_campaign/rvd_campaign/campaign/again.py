@@ -12,6 +12,7 @@ from rvd_campaign.campaign.engine import check_same, open_folder, refly
 from rvd_campaign.campaign.results import order_of, rows, Table
 from rvd_campaign.exits import CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_FAILED
 from rvd_campaign.flight.fly import pace_of
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.in_process import fly, judge_of
 from rvd_dynamics.diagram.judge import judgement
 from rvd_dynamics.diagram.scenario import Scenario
@@ -77,6 +78,6 @@ def _said(args: argparse.Namespace, different: list[str]) -> str:
     try:
         check_same(folder, kept, campaign)
         why = ''
-    except ValueError as error:
+    except BadInput as error:
         why = f' ({error})'
     return f'NOT the same as in the campaign: {", ".join(different)}{why}'

@@ -28,6 +28,7 @@ from rvd_campaign import catalogue
 from rvd_campaign.campaign import engine, stats
 from rvd_campaign.campaign.results import Stretch, Table
 from rvd_campaign.exits import CannotRun, EXIT_DONE
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.params import flatten
 from rvd_dynamics.diagram.scenario import load, nearest, Scenario
 from rvd_dynamics.recording import whole
@@ -150,7 +151,7 @@ def fit_success(bench: Bench, pilot: PilotParams, name: str) -> tuple[PilotParam
     at = root(excess, min(max(log(getattr(pilot, name)), low), high), low, high,
               0.5 / bench.runs)
     if at is None:
-        raise ValueError(f'no {name} between {exp(low):.3g} and {exp(high):.3g} gives a success '
+        raise BadInput(f'no {name} between {exp(low):.3g} and {exp(high):.3g} gives a success '
                          f'rate of {TARGET[0]:g}')
     return _with(pilot, name, exp(at)), seen[at]
 

@@ -54,7 +54,7 @@ SOURCES = ('.py', '.c', '.h')
 # What a run in process loads of ours, by package; nodes, console and reports change no number.
 LOOP = {
     'rvd_dynamics': (
-        'commands', 'constants.py', 'diagram', 'frames.py', 'geometry', 'link', 'motion', 'onboard',
+        'bad_input.py', 'commands', 'constants.py', 'diagram', 'frames.py', 'geometry', 'link', 'motion', 'onboard',
         'world', *(f'recording/{name}.py' for name in (     # of these, what reads a tape
             '__init__', 'mcap_file', 'messages', 'params', 'rosbag2', 'sqlite_file',
             'whole'))),

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from rvd_campaign.campaign import stats
 from rvd_campaign.campaign.results import Table
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.build import loaded
 from rvd_dynamics.diagram.mission import Mission
 from rvd_dynamics.recording.drawing import (
@@ -180,7 +181,7 @@ def figures_of(mission: Mission) -> dict[str, CampaignFigure]:
     try:
         return {**FIGURES, **(loaded(mission.campaign_figures) if mission.campaign_figures else {})}
     except (ImportError, ValueError) as error:
-        raise ValueError(f'mission {mission.name}: campaign figures: {error}') from None
+        raise BadInput(f'mission {mission.name}: campaign figures: {error}') from None
 
 
 def shown_by(campaign: Any) -> dict[str, CampaignFigure]:

@@ -7,6 +7,7 @@ import math
 from collections.abc import Iterator
 from typing import Any
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.scenario import ScenarioError
 from rvd_dynamics.diagram.time_grid import whole_steps
 
@@ -35,6 +36,6 @@ def legs(loop_delay_s: Any, step_s: float) -> dict[str, float]:
         raise ScenarioError(f'loop_delay_s must be between 0 and 3600, got {loop_delay_s}')
     try:
         steps = whole_steps('loop_delay_s', loop_delay_s, step_s)
-    except ValueError as error:
+    except BadInput as error:
         raise ScenarioError(error) from None
     return {'forward_delay_s': steps//2 * step_s, 'back_delay_s': (steps - steps//2) * step_s}

@@ -24,6 +24,7 @@ import pyarrow
 import pyarrow.parquet
 from numpy.typing import NDArray
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.build import loaded
 from rvd_dynamics.diagram.judge import table_columns
 from rvd_dynamics.diagram.mission import Mission
@@ -73,7 +74,7 @@ def rows(flown: Any, order: Sequence[str] = ()) -> Table:
     made = {'run': flown.runs, **table_columns(flown.verdict), **flown.columns}
     unknown = [name for name in order if name not in made]
     if unknown:
-        raise ValueError(f'no column {unknown[0]}: there are {", ".join(made)}')
+        raise BadInput(f'no column {unknown[0]}: there are {", ".join(made)}')
     return {name: _stored(name, made[name]) for name in order or made}
 
 
@@ -85,7 +86,7 @@ def _stored(name: str, values: NDArray) -> NDArray:
 def kind_of(name: str, values: NDArray) -> str:
     """Return the type of a column in table and hash; ValueError if it can have none."""
     if values.dtype.kind not in KINDS:
-        raise ValueError(f'column {name} must be text, bool, int or float, got {values.dtype}')
+        raise BadInput(f'column {name} must be text, bool, int or float, got {values.dtype}')
     return KINDS[values.dtype.kind]
 
 
@@ -146,7 +147,7 @@ def condition_table(folder: Path, stretches: list[Stretch], condition: int, runs
     order = np.argsort(table['run'], kind='stable')
     order = order[table['run'][order] < runs]
     if not np.array_equal(table['run'][order], np.arange(runs)):
-        raise ValueError(f'{folder}: the parts of condition {condition} do not hold each run '
+        raise BadInput(f'{folder}: the parts of condition {condition} do not hold each run '
                          'once')
     return {name: values[order] for name, values in table.items()}
 

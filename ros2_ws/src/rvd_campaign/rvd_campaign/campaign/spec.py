@@ -29,6 +29,7 @@ from typing import Any
 
 from rvd_campaign import catalogue
 from rvd_campaign.campaign.grid import Cells, legs
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram import in_process
 from rvd_dynamics.diagram.build import loaded
 from rvd_dynamics.diagram.mission import Mission
@@ -45,7 +46,7 @@ OF_THE_CAMPAIGN = ('mission', 'seed', 'run', 'nodes', 'processes')  # no conditi
 NAME = re.compile(r'[A-Za-z0-9][\w.+ -]*')
 
 
-class CampaignError(ValueError):
+class CampaignError(BadInput):
     """A campaign that cannot be flown; the text is one line that names the value."""
 
 
@@ -256,7 +257,7 @@ class _Reader:
     def _buildable(self, name: str, scenario: Scenario) -> None:
         try:
             in_process.check(scenario)
-        except ValueError as error:
+        except BadInput as error:
             self._refuse(f'condition {name}: {_bare(error)}')
 
     def _changed(self, scenario: Scenario, where: str, changes: Any) -> Scenario:
@@ -270,7 +271,7 @@ class _Reader:
                 scenario = self._change(scenario, key, changes[key])
         except CampaignError:
             raise
-        except ValueError as error:
+        except BadInput as error:
             self._refuse(f'condition {where}: {_bare(error)}' if where != 'set'
                          else f'set: {_bare(error)}')
         return scenario

@@ -17,6 +17,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rvd_dynamics.bad_input import BadInput
+
 
 class Interval(NamedTuple):
     """A range that covers the true value in 95 of 100 experiments."""
@@ -54,7 +56,7 @@ def wilson(successes: int, runs: int) -> Interval:
         If there are no runs, or more successes than runs.
     """
     if not 0 <= successes <= runs or runs < 1:
-        raise ValueError(f'successes must be 0 to runs, runs at least 1, got {successes} of '
+        raise BadInput(f'successes must be 0 to runs, runs at least 1, got {successes} of '
                          f'{runs}')
     from scipy.stats import binomtest
     found = binomtest(successes, runs).proportion_ci(confidence_level=0.95, method='wilson')
@@ -71,7 +73,7 @@ def pair(a: ArrayLike, b: ArrayLike) -> Paired:
     """Count successes of two conditions, run by run, shapes (runs,)."""
     a, b = np.asarray(a, dtype=bool), np.asarray(b, dtype=bool)
     if a.shape != b.shape:
-        raise ValueError(f'paired conditions must have the same runs, got {a.size} and {b.size}')
+        raise BadInput(f'paired conditions must have the same runs, got {a.size} and {b.size}')
     return Paired(int((a & b).sum()), int((a & ~b).sum()), int((~a & b).sum()),
                   int((~a & ~b).sum()))
 

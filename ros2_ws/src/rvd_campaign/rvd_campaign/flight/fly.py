@@ -18,7 +18,7 @@ from rvd_campaign import catalogue
 from rvd_campaign.flight import verdict
 from rvd_dynamics.recording import drawing, reader
 from rvd_campaign.exits import (
-    CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_FAILED, EXIT_INTERRUPTED)
+    CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_FAILED, EXIT_FAULT, EXIT_INTERRUPTED)
 from rvd_dynamics.diagram.identity import new_run
 from rvd_dynamics.diagram.roster import listed
 from rvd_dynamics.diagram.scenario import load, Scenario
@@ -200,7 +200,8 @@ class Flight:
         if problem is not None:
             print(f'rvd fly: {problem}', file=sys.stderr)
             print(f'rvd fly: logs are in {self._run_dir / "logs"}', file=sys.stderr)
-            return EXIT_CANNOT
+            # Code 1 is a traceback, which is in the node's log.
+            return EXIT_FAULT if 1 in self._supervisor.failures().values() else EXIT_CANNOT
         last, links = self._outcome()
         judged = verdict.outcome(last, interrupted)
         content = verdict.as_dict(judged, links, self._scenario)

@@ -8,6 +8,8 @@ import shlex
 import sys
 import traceback
 
+from rvd_dynamics.bad_input import BadInput
+
 
 def attempt(write: Callable[[Path], Path], folder: Path, log: Path) -> None:
     """
@@ -22,11 +24,11 @@ def attempt(write: Callable[[Path], Path], folder: Path, log: Path) -> None:
     folder : Path
         Of the run or the campaign.
     log : Path
-        Gets the traceback of what is no refusal (`ValueError`) and thus an error of a program.
+        Gets the traceback of what is not bad input and thus an error of a program.
     """
     try:
         made = write(folder)
-    except ValueError as error:
+    except BadInput as error:
         why = str(error)
     except Exception as error:                  # of matplotlib, of the figures of a mission
         why = f'{type(error).__name__}: {" ".join(str(error).split())} (traceback in {log})'

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.build import loaded
 from rvd_dynamics.recording.drawing import (
     ABOVE, BLUE, canvas, DASHED, every, Figure, INK, load, VERMILLION)
@@ -39,12 +40,12 @@ def _own(run: Recording) -> dict[str, Figure]:
     load()                                  # before a mission that imports it with its figures
     try:
         own = loaded(mission.figures) if mission.figures else {}
-    except ValueError as error:
-        raise ValueError(f'mission {mission.name}: figures: {error}') from None
+    except BadInput as error:
+        raise BadInput(f'mission {mission.name}: figures: {error}') from None
     if not isinstance(own, dict) or not all(
             str(name).isidentifier() and isinstance(figure, Figure)
             for name, figure in own.items()):
-        raise ValueError(f'mission {mission.name}: {mission.figures} must be a dict of Figure by '
+        raise BadInput(f'mission {mission.name}: {mission.figures} must be a dict of Figure by '
                          'plain names')
     return own
 

@@ -15,6 +15,7 @@ from typing import Any
 
 from rvd_campaign.campaign.stats import wilson
 from rvd_campaign.report.page import render
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.in_process import judge_of
 from rvd_dynamics.diagram.judge import declared
 from rvd_dynamics.diagram.mission import find, installed
@@ -55,7 +56,7 @@ def write_session_report(folder: Path) -> Path:
     session = json.loads((folder / SESSION).read_text(encoding='utf-8'))
     flights, left_out = read_flights(folder)
     if not any(not flight['training'] for flight in flights):
-        raise ValueError(f'session {folder} has no rated flight yet')
+        raise BadInput(f'session {folder} has no rated flight yet')
     with whole.draft(folder / 'flights.csv', 'w', newline='', encoding='utf-8') as file:
         writer = csv.DictWriter(file, [*BEFORE, *_measures(flights), *AFTER])
         writer.writeheader()

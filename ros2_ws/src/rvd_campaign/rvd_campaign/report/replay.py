@@ -15,6 +15,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.display import TRUTH
 from rvd_dynamics.diagram.judge import for_page, from_message
 from rvd_dynamics.recording.messages import files_of, MessageFile, Stored
@@ -47,7 +48,7 @@ def load(runs: Path, name: str) -> str:
     try:
         files = files_of(folder)
     except ValueError:
-        raise ValueError('this run has no bag') from None
+        raise BadInput('this run has no bag') from None
     replay = Replay(name)
     for file in files:
         for stored in MessageFile(file):
@@ -84,7 +85,7 @@ class Replay:
     def _begin(self, text: str) -> None:
         scenario, note = scenario_of(text)
         if scenario is None:
-            raise ValueError(note)
+            raise BadInput(note)
         feed = self._feed = Feed(display_of(scenario))
         display, signals = feed.display, on_ground(scenario.diagram)
         self._width = signals[display.measured].parts[0].shape[0]
@@ -100,7 +101,7 @@ class Replay:
     def content(self) -> dict[str, Any]:
         """Return all of it."""
         if self._feed is None or not self._frames:
-            raise ValueError('the bag of this run holds nothing that can be shown')
+            raise BadInput('the bag of this run holds nothing that can be shown')
         for frame in self._frames:
             if frame['k'] in self._truth:
                 frame['signals'][TRUTH] = self._truth[frame['k']]
@@ -148,7 +149,7 @@ def main(runs: str, name: str) -> int:
     except FileNotFoundError:
         print('no such run', file=sys.stderr)
         return 1
-    except ValueError as error:
+    except BadInput as error:
         print(error, file=sys.stderr)
         return 2
     return 0

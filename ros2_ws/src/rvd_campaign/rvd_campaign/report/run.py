@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from rvd_campaign.report.figures import figures_of
 from rvd_campaign.report.page import Drawn, render
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.commands import codes
 from rvd_dynamics.diagram.judge import Judged
 from rvd_dynamics.link.channel import LINK_COUNTS
@@ -55,7 +56,7 @@ def write_report(run_dir: Path) -> Path:
     try:
         whole.write_text(target, text)
     except OSError as error:
-        raise ValueError(f'cannot write {target}: {error.strerror}') from None
+        raise BadInput(f'cannot write {target}: {error.strerror}') from None
     return target
 
 

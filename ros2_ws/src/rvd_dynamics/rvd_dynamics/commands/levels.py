@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.commands.layouts import LAYOUTS
 from rvd_dynamics.diagram.params import param, require, settings
 
@@ -110,10 +111,10 @@ def acceleration(levels: ArrayLike, thrust: ThrustParams) -> NDArray[np.float64]
     """
     levels = np.asarray(levels)
     if levels.dtype.kind not in 'iu':
-        raise ValueError(f'levels must be whole numbers, got {levels.tolist()}')
+        raise BadInput(f'levels must be whole numbers, got {levels.tolist()}')
     index = levels + HIGHEST
     if index.size and not (index.min() >= 0 and index.max() <= 2 * HIGHEST):
-        raise ValueError(f'levels must be -3 to 3, got {levels[abs(levels) > 3].tolist()}')
+        raise BadInput(f'levels must be -3 to 3, got {levels[abs(levels) > 3].tolist()}')
     # transposed there and back: in a batch the components come first in memory
     return _accelerations(thrust).ravel().take((3*index + AXES).T).T
 
@@ -150,7 +151,7 @@ def level_of_deflection(deflection: ArrayLike, dead_zone: float = 0.05) -> NDArr
     deflection = np.asarray(deflection, dtype=float)
     size = np.abs(deflection)
     if not np.all(size <= 1.0):                     # also refuses NaN
-        raise ValueError(f'deflection must be -1 to 1, got {deflection.tolist()}')
+        raise BadInput(f'deflection must be -1 to 1, got {deflection.tolist()}')
     level = np.floor(3.0 * size + 0.5).astype(np.int8)
     level *= size > dead_zone
     return np.where(deflection < 0.0, -level, level)

@@ -16,6 +16,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.signal import Signal
 
 WORLD, ONBOARD, LINK, GROUND, WATCH = SEGMENTS = ('world', 'onboard', 'link', 'ground', 'watch')
@@ -44,7 +45,7 @@ class Read:
 
     def __post_init__(self) -> None:
         if self.delay < 0:
-            raise ValueError(f'{self.signal.name}: a delay must not be negative, got {self.delay}')
+            raise BadInput(f'{self.signal.name}: a delay must not be negative, got {self.delay}')
 
 
 def now(signal: Signal, *optional: str) -> Read:
@@ -108,10 +109,10 @@ class Block:
 
     def __post_init__(self) -> None:
         if self.segment not in SEGMENTS:
-            raise ValueError(f'block {self.name}: segment must be one of {", ".join(SEGMENTS)}, '
+            raise BadInput(f'block {self.name}: segment must be one of {", ".join(SEGMENTS)}, '
                              f'got {self.segment!r}')
         if self.period < 1:
-            raise ValueError(f'block {self.name}: period must be at least 1, got {self.period}')
+            raise BadInput(f'block {self.name}: period must be at least 1, got {self.period}')
         put = object.__setattr__
         put(self, 'section', self.section or self.name)
         put(self, 'package', self.package or PACKAGES[self.segment])

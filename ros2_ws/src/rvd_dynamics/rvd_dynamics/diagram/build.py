@@ -13,6 +13,7 @@ from functools import lru_cache
 from importlib import import_module
 from typing import Any
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.params import is_wiring
 
 
@@ -28,23 +29,23 @@ def loaded(name: str) -> Any:
     """
     module, _, attribute = name.partition(':')
     if not attribute:
-        raise ValueError(f'{name!r} must be of the form module:NAME')
+        raise BadInput(f'{name!r} must be of the form module:NAME')
     try:
         imported = import_module(module)
     except (ImportError, SyntaxError) as error:
-        raise ValueError(f'{name} cannot be loaded: {error}') from error
+        raise BadInput(f'{name} cannot be loaded: {error}') from error
     try:
         return getattr(imported, attribute)
     except AttributeError:
-        raise ValueError(f'module {module} has no {attribute}') from None
+        raise BadInput(f'module {module} has no {attribute}') from None
 
 
 def needs(name: str, owner: str) -> Mapping[str, inspect.Parameter]:
     """Return the parameters by name of what 'module:NAME' names; errors as `made`."""
     try:
         return _parameters(name)
-    except ValueError as error:
-        raise ValueError(f'{owner}: {error}') from error.__cause__
+    except BadInput as error:
+        raise BadInput(f'{owner}: {error}') from error.__cause__
 
 
 @lru_cache(maxsize=None)
@@ -67,7 +68,7 @@ def made(name: str, available: Callable[[str], Any], owner: str) -> Any:
             arguments[parameter.name] = available(parameter.name)
         except LookupError:
             if parameter.default is inspect.Parameter.empty:
-                raise ValueError(f'{owner}: {name} needs {parameter.name!r}, which neither the '
+                raise BadInput(f'{owner}: {name} needs {parameter.name!r}, which neither the '
                                  'scenario nor the mission has') from None
     return loaded(name)(**arguments)
 

@@ -18,6 +18,7 @@ from functools import cached_property
 
 import numpy as np
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.block import (
     Block, External, GROUND, Leg, LINK, ONBOARD, Read, SEES_TRUTH, SEGMENTS, WATCH, WORLD)
 from rvd_dynamics.diagram.signal import Signal
@@ -34,7 +35,7 @@ MAY_READ = {
 }
 
 
-class DiagramError(ValueError):
+class DiagramError(BadInput):
     """A diagram that breaks a rule; the text is one line that names block, signal and rule."""
 
 
@@ -254,7 +255,7 @@ class Diagram:
                     for segment in SEGMENTS if any(b.segment == segment for b in nodes)}
         if processes == 'one':
             return {'one': tuple(nodes)}
-        raise ValueError(f'processes must be one of {", ".join(GROUPINGS)}, got {processes!r}')
+        raise BadInput(f'processes must be one of {", ".join(GROUPINGS)}, got {processes!r}')
 
     def legs(self) -> Iterator[Leg]:
         """Yield the legs of the link."""

@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.block import Block
 from rvd_dynamics.diagram.build import made, needs
 from rvd_dynamics.diagram.control import Change, Control
@@ -80,12 +81,12 @@ def fly(scenario: Scenario, runs: Sequence[int], record: bool | Sequence[str] = 
         of the wrong form.
     """
     if len(runs) == 0:
-        raise ValueError('runs must name at least one run, got none')
+        raise BadInput('runs must name at least one run, got none')
     check(scenario)
     if draws is None or record:                     # a history is of whole runs
         draws = draw(scenario, runs, whole=bool(record))
     if draws.key != draws_key(scenario, runs):
-        raise ValueError('draws are of other runs, seed, links, delays or time grid')
+        raise BadInput('draws are of other runs, seed, links, delays or time grid')
     loop = Loop(scenario, runs, draws, record, schedule)
     for step in range(draws.steps):
         loop.advance(step)
@@ -131,7 +132,7 @@ def check(scenario: Scenario) -> None:
             if read.signal.name not in diagram.writer_of:
                 outside = ', '.join(external.name for external in diagram.externals
                                     if read.signal.name in external.writes)
-                raise ValueError(f'{_operator(scenario)}{block.name} reads {read.signal.name} '
+                raise BadInput(f'{_operator(scenario)}{block.name} reads {read.signal.name} '
                                  f'from {outside}, which takes a graph and a wall clock: in one '
                                  'process only blocks take part')
         for name in needs(block.make, f'block {block.name}'):
@@ -349,7 +350,7 @@ def _recorded(diagram: Any, record: bool | Sequence[str]) -> dict[str, frozenset
     for name in names:
         signal, _, part = name.partition('.')
         if signal not in diagram.signals:
-            raise ValueError(f'no signal {signal} to record; there are: '
+            raise BadInput(f'no signal {signal} to record; there are: '
                              f'{", ".join(diagram.signals)}')
         kept[signal] = kept.get(signal, frozenset()) | ({part} if part else frozenset())
     return kept

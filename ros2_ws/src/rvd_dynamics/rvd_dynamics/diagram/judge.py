@@ -18,6 +18,8 @@ from typing import Any, NamedTuple, Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rvd_dynamics.bad_input import BadInput
+
 NAN = float('nan')
 
 
@@ -41,10 +43,10 @@ class Measure:
 
     def __post_init__(self) -> None:
         if not self.name.isidentifier() or not self.name.endswith(_suffix(self.unit)):
-            raise ValueError(f'measure {self.name!r} must be a plain word that ends in its unit, '
+            raise BadInput(f'measure {self.name!r} must be a plain word that ends in its unit, '
                              f'{_suffix(self.unit)!r}')
         if self.low >= self.high:
-            raise ValueError(f'measure {self.name}: no value lies between the limits {self.low:g} '
+            raise BadInput(f'measure {self.name}: no value lies between the limits {self.low:g} '
                              f'and {self.high:g}')
 
     def ok(self, value: ArrayLike) -> NDArray[np.bool_]:

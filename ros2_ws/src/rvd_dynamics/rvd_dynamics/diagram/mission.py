@@ -13,6 +13,8 @@ from functools import lru_cache
 from importlib.metadata import entry_points
 from typing import Any, NamedTuple
 
+from rvd_dynamics.bad_input import BadInput
+
 GROUP = 'rvd.missions'
 
 
@@ -123,12 +125,12 @@ def find(name: str) -> Mission:
     """
     points = installed()
     if name not in points:
-        raise ValueError(f'no mission {name!r} is installed; there are: '
+        raise BadInput(f'no mission {name!r} is installed; there are: '
                          f'{", ".join(points) or "none"} (RVD_OVERLAY names further prefixes)')
     try:
         mission = points[name].load()
     except (ImportError, AttributeError) as error:
-        raise ValueError(f'mission {name} cannot be loaded: {error}') from None
+        raise BadInput(f'mission {name} cannot be loaded: {error}') from None
     if not isinstance(mission, Mission) or mission.name != name:
-        raise ValueError(f'mission {name}: {points[name].value} must be a Mission of that name')
+        raise BadInput(f'mission {name}: {points[name].value} must be a Mission of that name')
     return mission

@@ -14,6 +14,8 @@ from numbers import Number
 import sys
 from typing import Any, Callable, Iterable, Iterator
 
+from rvd_dynamics.bad_input import BadInput
+
 if sys.version_info >= (3, 11):
     from typing import dataclass_transform
 else:
@@ -337,28 +339,28 @@ def coerce(key: str, value: Any, default: Any) -> Any:
     """
     if isinstance(default, tuple):
         if not isinstance(value, (list, tuple)) and not hasattr(value, 'tolist'):
-            raise ValueError(f'{key} must be a list, got {value!r}')
+            raise BadInput(f'{key} must be a list, got {value!r}')
         inner = default[0] if default else ''
         return tuple(coerce(f'{key}[{i}]', v, inner) for i, v in enumerate(value))
     if isinstance(default, bool):
         if not isinstance(value, bool):
-            raise ValueError(f'{key} must be true or false, got {value!r}')
+            raise BadInput(f'{key} must be true or false, got {value!r}')
         return value
     if isinstance(default, float):
         if isinstance(value, str):
             try:
                 return float(value)
             except ValueError:
-                raise ValueError(f'{key} must be a number, got {value!r}') from None
+                raise BadInput(f'{key} must be a number, got {value!r}') from None
         if isinstance(value, bool) or not isinstance(value, (int, float)):
-            raise ValueError(f'{key} must be a number, got {value!r}')
+            raise BadInput(f'{key} must be a number, got {value!r}')
         return float(value)
     if isinstance(default, int):
         if isinstance(value, bool) or not isinstance(value, int):
-            raise ValueError(f'{key} must be a whole number, got {value!r}')
+            raise BadInput(f'{key} must be a whole number, got {value!r}')
         return value
     if not isinstance(value, str):
-        raise ValueError(f'{key} must be text, got {value!r}')
+        raise BadInput(f'{key} must be text, got {value!r}')
     return value
 
 

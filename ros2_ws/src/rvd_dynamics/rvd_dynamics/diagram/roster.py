@@ -21,6 +21,7 @@ from typing import NamedTuple
 import yaml
 
 from rvd_dynamics.diagram.block import External, GROUND, Leg, Read, WATCH
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.identity import new_run
 from rvd_dynamics.diagram.scenario import load, Scenario
 
@@ -292,7 +293,7 @@ def main(arguments: list[str]) -> int:
         scenario, run_dir, *options = arguments
         print('\n'.join(lines(
             listed(load(Path(scenario)), '--headless' in options), run_dir, new_run())))
-    except ValueError as error:
+    except BadInput as error:
         print(f'bringup: {error}', file=sys.stderr)
         return 2
     return 0

@@ -16,6 +16,7 @@ from typing import Any
 
 import yaml
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram import mission as missions
 from rvd_dynamics.diagram.build import loaded, made, wired
 from rvd_dynamics.diagram.diagram import Diagram
@@ -29,7 +30,7 @@ MAX_DEPTH = 20
 SET_AT_BRING_UP = {(SHARED, 'nodes'), ('bag_recorder', 'bag_dir')}
 
 
-class ScenarioError(ValueError):
+class ScenarioError(BadInput):
     """A scenario that cannot be flown; the text is one line that names the value."""
 
 
@@ -67,7 +68,7 @@ class Scenario:
         try:
             for part in self.mission.checked:
                 self.part(part)
-        except ValueError as error:
+        except BadInput as error:
             raise ScenarioError(f'scenario {self.name}: {error}') from None
         return self
 
@@ -87,7 +88,7 @@ class Scenario:
                      if key.startswith(prefix) and key[len(prefix):] in known}
         try:
             return build(settings, given, label=prefix)
-        except ValueError as error:
+        except BadInput as error:
             where = '' if section == SHARED else f'{section}: '
             raise ScenarioError(f'scenario {self.name}: {where}{error}') from None
 
@@ -319,7 +320,7 @@ def mission_of(tree: dict[str, Any], name: str) -> Mission:
         word = tree[SHARED]['ros__parameters']['mission']
     try:
         return missions.find(str(word))
-    except ValueError as error:
+    except BadInput as error:
         raise ScenarioError(f'scenario {name}: {error}') from None
 
 

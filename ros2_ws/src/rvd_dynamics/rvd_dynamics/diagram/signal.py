@@ -14,6 +14,8 @@ from typing import Any
 
 import numpy as np
 
+from rvd_dynamics.bad_input import BadInput
+
 INITIAL = {'f': np.nan, 'i': 0, 'u': 0, 'b': False}     # by kind of dtype: nothing is known yet
 FITS = {'f': 'fiub', 'i': 'iub', 'u': 'iub', 'b': 'b'}  # kinds of numbers that a part takes
 VALUES = 'rvd_interfaces/msg/Values'                    # carries any signal, part after part
@@ -86,13 +88,13 @@ class Signal:
 
     def __post_init__(self) -> None:
         if not self.name.startswith('/'):
-            raise ValueError(f'signal {self.name!r}: the name is a topic and begins with a slash')
+            raise BadInput(f'signal {self.name!r}: the name is a topic and begins with a slash')
         names = [part.name for part in self.parts]
         if len(set(names)) != len(names):
-            raise ValueError(f'signal {self.name}: two parts have one name: {", ".join(names)}')
+            raise BadInput(f'signal {self.name}: two parts have one name: {", ".join(names)}')
         optional = [part.optional for part in self.parts]
         if optional != sorted(optional):
-            raise ValueError(f'signal {self.name}: optional parts come last: {", ".join(names)}')
+            raise BadInput(f'signal {self.name}: optional parts come last: {", ".join(names)}')
 
     @cached_property
     def type(self) -> type:

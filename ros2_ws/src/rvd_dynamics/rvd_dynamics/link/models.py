@@ -16,6 +16,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.diagram.params import param, require, settings
 
@@ -174,12 +175,12 @@ def read_transits(path: str) -> NDArray[np.float64]:
         NaN or longer than 1e6 s; the text names the file and the line.
     """
     if not path:
-        raise ValueError('empirical.file must name a file of transits, got nothing')
+        raise BadInput('empirical.file must name a file of transits, got nothing')
     try:
         with open(path, encoding='utf-8') as file:
             lines = file.read().splitlines()
     except (OSError, UnicodeDecodeError) as problem:
-        raise ValueError(f'empirical.file {path} cannot be read: {problem}') from None
+        raise BadInput(f'empirical.file {path} cannot be read: {problem}') from None
     transits: list[float] = []
     header_allowed = True
     for number, line in enumerate(lines, start=1):
@@ -192,11 +193,11 @@ def read_transits(path: str) -> NDArray[np.float64]:
             continue
         header_allowed = False
         if transit is None or not 0.0 <= transit <= LONGEST_S:
-            raise ValueError(f'{path}, line {number}: a transit must be a number of seconds '
+            raise BadInput(f'{path}, line {number}: a transit must be a number of seconds '
                              f'between 0 and {LONGEST_S:g}, got {text!r}')
         transits.append(transit)
     if not transits:
-        raise ValueError(f'{path}: no transit in the file')
+        raise BadInput(f'{path}: no transit in the file')
     return np.array(transits)
 
 

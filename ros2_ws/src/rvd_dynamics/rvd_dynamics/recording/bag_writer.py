@@ -19,6 +19,7 @@ from typing import Any, Callable
 from mcap.records import Channel, Footer, Metadata, Schema
 import yaml
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.recording import mcap_file
 from rvd_dynamics.recording.definitions import schema_text, type_hash
 from rvd_dynamics.recording.rosbag2 import Contents, Topic, dump, write_metadata
@@ -53,7 +54,7 @@ class BagWriter:
     def __init__(self, directory: Path, worth: Callable[[str], int] = lambda topic: 2) -> None:
         directory.mkdir(parents=True, exist_ok=True)
         if any(directory.iterdir()):
-            raise ValueError(f'bag directory {directory} is not empty')
+            raise BadInput(f'bag directory {directory} is not empty')
         self.directory = directory
         self.path = directory / f'{directory.name}_0.mcap'
         self.contents = Contents()

@@ -23,6 +23,7 @@ from mcap.writer import MCAP0_MAGIC, CompressionType, Writer
 import yaml
 import zstandard
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.recording import whole
 from rvd_dynamics.recording.rosbag2 import Contents, Topic, dump
 
@@ -125,7 +126,7 @@ def records(path: Path, refuse_damage: bool = False) -> Iterator[McapRecord]:
             raise
         except Exception as error:              # each decompressor has errors of its own
             if refuse_damage:
-                raise ValueError(f'{path}: not a readable MCAP file: {error}') from None
+                raise BadInput(f'{path}: not a readable MCAP file: {error}') from None
 
 
 def rewrite(path: Path, notes: dict[str, dict[str, str]]) -> Contents:

@@ -14,6 +14,7 @@ from mcap.records import Channel, Footer, Message, Metadata, Schema
 from mcap_ros2.decoder import DecoderFactory
 import zstandard
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.recording import mcap_file, sqlite_file
 
@@ -49,7 +50,7 @@ def files_of(path: Path) -> list[Path]:
     found = [file for file in found
              if file.suffix != PACKED or file.with_suffix('') not in found]     # unpacked beside it
     if not found:
-        raise ValueError(f'{path} holds no bag: there is no .mcap or .db3 file in the folder')
+        raise BadInput(f'{path} holds no bag: there is no .mcap or .db3 file in the folder')
     return sorted(found, key=lambda file: (len(file.name), file.name))     # bag_2 before bag_10
 
 
@@ -76,7 +77,7 @@ class Source:
             schema, factory = _standard(self.kind) or schema, DecoderFactory()
         made = factory.decoder_for(self.encoding, schema)
         if made is None:
-            raise ValueError(f'needs a ros2msg schema and cdr, has '
+            raise BadInput(f'needs a ros2msg schema and cdr, has '
                              f'{self._schema.encoding if self._schema else "no"} schema and '
                              f'{self.encoding}')
         return made
@@ -93,7 +94,7 @@ class Source:
         try:
             return self._decoder(data)
         except Exception as error:              # whatever made-up bytes or schemas lead to
-            raise ValueError(f'{self.path}, {self.topic} message {number}: cannot be decoded: '
+            raise BadInput(f'{self.path}, {self.topic} message {number}: cannot be decoded: '
                              f'{str(error) or type(error).__name__}') from None
 
 
@@ -132,7 +133,7 @@ def unpacked(data: bytes, source: Source) -> bytes:
     try:
         return zstandard.ZstdDecompressor().decompressobj().decompress(data)
     except zstandard.ZstdError as error:
-        raise ValueError(f'{source.path}, {source.topic} message {source.count}: cannot be '
+        raise BadInput(f'{source.path}, {source.topic} message {source.count}: cannot be '
                          f'unpacked: {error}') from None
 
 

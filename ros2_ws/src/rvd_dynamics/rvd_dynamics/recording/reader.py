@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.diagram.judge import from_message
 from rvd_dynamics.diagram.roster import Roster
@@ -151,8 +152,8 @@ class _Decoded(Mapping):
             kind = SERIES[self._bag.kinds[topic]]
             try:
                 self._made[topic] = kind.of(self._bag.decoded(topic))
-            except ValueError as error:
-                raise ValueError(f'{topic}: {error}') from None
+            except BadInput as error:
+                raise BadInput(f'{topic}: {error}') from None
         return self._made[topic]
 
     def __iter__(self) -> Iterator[str]:

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.block import GROUND
 from rvd_dynamics.diagram.judge import Judgement
 from rvd_dynamics.diagram.scenario import parse_known, Scenario
@@ -144,6 +145,6 @@ def scenario_of(text: str) -> tuple[Scenario | None, str]:
     try:
         scenario, unknown = parse_known(text, name_of(text) or 'of the bag')
         scenario.diagram                        # what breaks a rule is found out here
-    except ValueError as error:
+    except BadInput as error:
         return None, str(error)
     return scenario, f'this version does not know {", ".join(unknown)}' if unknown else ''

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.link.channel import LINK_COUNTS
 from rvd_dynamics.recording.messages import stamp_ns
@@ -206,7 +207,7 @@ class Table(Series):
             width = sum(int(np.prod(shape, dtype=int)) for shape in shapes.values())
             for m in messages:
                 if m.layout != layout or len(m.values) != width:
-                    raise ValueError(f'step {m.step}: {len(m.values)} values of layout '
+                    raise BadInput(f'step {m.step}: {len(m.values)} values of layout '
                                      f'{m.layout!r} where {width} of {layout!r} began')
             numbers, at = _table(lambda m: m.values, messages, width), 0
             for name, shape in shapes.items():

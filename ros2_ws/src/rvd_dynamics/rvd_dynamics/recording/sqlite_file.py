@@ -16,6 +16,8 @@ from urllib.parse import quote
 from mcap.records import Channel, Footer, McapRecord, Message, Schema
 import zstandard
 
+from rvd_dynamics.bad_input import BadInput
+
 
 def records(path: Path, refuse_damage: bool = False) -> Iterator[McapRecord]:
     """
@@ -47,7 +49,7 @@ def records(path: Path, refuse_damage: bool = False) -> Iterator[McapRecord]:
                 return
             yield Footer(summary_start=0, summary_offset_start=0, summary_crc=0)
     except (sqlite3.Error, zstandard.ZstdError) as error:
-        raise ValueError(f'{path}: not a readable SQLite file of rosbag2: {error}') from None
+        raise BadInput(f'{path}: not a readable SQLite file of rosbag2: {error}') from None
 
 
 def _topics(base: sqlite3.Connection) -> Iterator[McapRecord]:

@@ -10,6 +10,8 @@ import hmac
 import secrets
 from dataclasses import dataclass
 
+from rvd_dynamics.bad_input import BadInput
+
 LOOPBACK = ('127.0.0.1', 'localhost', '[::1]')
 TOKEN_BYTES = 16                # 128 bits
 SUBPROTOCOL = 'rvd.console.1'
@@ -43,12 +45,12 @@ def check_bind(bind: str, certificate: str, key: str) -> None:
         for every address: Host could not be checked then.
     """
     if bind in ('', '0.0.0.0', '::'):
-        raise ValueError(f'the console cannot bind to {bind or "nothing"}: give the one address '
+        raise BadInput(f'the console cannot bind to {bind or "nothing"}: give the one address '
                          'or name that pages will open, and TLS (--tls-cert, --tls-key)')
     if bind in ('127.0.0.1', '::1', 'localhost'):
         return
     if not (certificate and key):
-        raise ValueError(f'the console binds to 127.0.0.1 only: {bind} can be reached by others '
+        raise BadInput(f'the console binds to 127.0.0.1 only: {bind} can be reached by others '
                          'and needs TLS, give a certificate and a key (--tls-cert, --tls-key)')
 
 

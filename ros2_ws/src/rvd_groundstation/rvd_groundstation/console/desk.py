@@ -24,6 +24,7 @@ from typing import Any
 
 import yaml
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.display import MODES
 from rvd_dynamics.recording import whole
 
@@ -78,25 +79,25 @@ def read_session(path: Path) -> Session:
     try:
         tree = yaml.safe_load(path.read_text(encoding='utf-8'))
     except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
-        raise ValueError(f'cannot read session {path}: {" ".join(str(error).split())}') from None
+        raise BadInput(f'cannot read session {path}: {" ".join(str(error).split())}') from None
     if not isinstance(tree, dict):
-        raise ValueError(f'session {path} must hold {", ".join(KEYS)}')
+        raise BadInput(f'session {path} must hold {", ".join(KEYS)}')
     unknown = sorted(set(tree) - set(KEYS))
     if unknown:
-        raise ValueError(f'session {path}: unknown key {unknown[0]}; known: {", ".join(KEYS)}')
+        raise BadInput(f'session {path}: unknown key {unknown[0]}; known: {", ".join(KEYS)}')
     conditions = tree.get('conditions')
     if not isinstance(conditions, dict) or not conditions:
-        raise ValueError(f'session {path}: conditions must map names to {{mode: ...}}')
+        raise BadInput(f'session {path}: conditions must map names to {{mode: ...}}')
     modes = {}
     for name, body in conditions.items():
         mode = body.get('mode') if isinstance(body, dict) and set(body) == {'mode'} else None
         if not str(name).isidentifier() or mode not in MODES:
-            raise ValueError(f'session {path}: condition {name!r} must be a plain word with '
+            raise BadInput(f'session {path}: condition {name!r} must be a plain word with '
                              f'mode: {", ".join(MODES)}')
         modes[str(name)] = mode
     tlx = tree.get('tlx', 'raw')
     if tlx not in TLX_KINDS:
-        raise ValueError(f'session {path}: tlx must be {" or ".join(TLX_KINDS)}, got {tlx!r}')
+        raise BadInput(f'session {path}: tlx must be {" or ".join(TLX_KINDS)}, got {tlx!r}')
     return Session(str(tree.get('title', path.stem)), _whole(path, tree, 'seed', 0, 1 << 30),
                    modes, _whole(path, tree, 'training', 1, 50),
                    _whole(path, tree, 'flights', 10, 200),
@@ -108,7 +109,7 @@ def read_session(path: Path) -> Session:
 def _whole(path: Path, tree: dict, key: str, default: int, most: int) -> int:
     value = tree.get(key, default)
     if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value <= most:
-        raise ValueError(f'session {path}: {key} must be a whole number up to {most}, '
+        raise BadInput(f'session {path}: {key} must be a whole number up to {most}, '
                          f'got {value!r}')
     return value
 
@@ -228,13 +229,13 @@ class Desk:
         elif act == 'leave' and self._stage != 'flying':
             self._stage = 'door'
         else:
-            raise ValueError('STAGE')
+            raise BadInput('STAGE')
         return None
 
     def _begin(self, volunteer: Any) -> None:
         if (isinstance(volunteer, bool) or not isinstance(volunteer, int)
                 or not 1 <= volunteer <= MAX_VOLUNTEERS):
-            raise ValueError('VOLUNTEER')
+            raise BadInput('VOLUNTEER')
         self._volunteer, self._plan = volunteer, plan(self.session, volunteer)
         rated = {file.parent.name.split('.')[0]
                  for file in (self._folder / self.pseudonym).glob(f'*/{RATINGS}')}
@@ -271,18 +272,18 @@ class Desk:
     def _rate(self, content: dict[str, Any]) -> None:
         harper, tlx = content.get('cooper_harper'), content.get('tlx')
         if not isinstance(harper, dict) or not isinstance(tlx, dict):
-            raise ValueError('RATING')
+            raise BadInput('RATING')
         answers = [harper.get(key) for key in ('controllable', 'adequate', 'satisfactory')]
         rating = harper.get('rating')
         if not all(isinstance(answer, bool) for answer in answers):
-            raise ValueError('RATING')
+            raise BadInput('RATING')
         low, high = cooper_harper_range(*answers)
         if isinstance(rating, bool) or not isinstance(rating, int) or not low <= rating <= high:
-            raise ValueError('RATING')
+            raise BadInput('RATING')
         values = [tlx.get(scale) for scale in TLX]
         if not all(isinstance(v, int) and not isinstance(v, bool) and 0 <= v <= 100 and v % 5 == 0
                    for v in values):
-            raise ValueError('TLX')
+            raise BadInput('TLX')
         self._write(dict(zip(('controllable', 'adequate', 'satisfactory'), answers)) | {
             'rating': rating}, dict(zip(TLX, values)))
         if self._has_to_weigh(self._at):
@@ -307,7 +308,7 @@ class Desk:
         chosen, pairs = content.get('chosen'), self._pairs()
         if not isinstance(chosen, list) or len(chosen) != len(pairs) or not all(
                 choice in pair for choice, pair in zip(chosen, pairs)):
-            raise ValueError('WEIGHTS')
+            raise BadInput('WEIGHTS')
         weights = {scale: chosen.count(scale) for scale in TLX}
         _write(self._folder / self.pseudonym / WEIGHTS,
                {**self._weights(), self._condition: weights})

@@ -21,6 +21,7 @@ import os
 import sys
 
 from rvd_dynamics import lifeline
+from rvd_dynamics.bad_input import BadInput
 from rvd_groundstation.console import attach
 
 
@@ -34,7 +35,7 @@ def main(args=None) -> None:
     from rvd_groundstation.console import process
     try:
         code = asyncio.run(process.serve(arguments))
-    except ValueError as error:
+    except BadInput as error:
         print(f'console: {error}', file=sys.stderr)
         code = 2
     except KeyboardInterrupt:

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.block import GROUND
 from rvd_dynamics.diagram.display import (
     CommandAxis, CommandRow, Commands, Display, Instrument, Instruments, MODES, Number,
@@ -52,7 +53,7 @@ def plain_display(scenario: Scenario) -> Display:
 def _only(scenario: Scenario, what: str, found: list[Signal]) -> Signal:
     names = sorted({signal.name for signal in found})
     if len(names) != 1:
-        raise ValueError(f'mission {scenario.mission.name} has no display, and its ground '
+        raise BadInput(f'mission {scenario.mission.name} has no display, and its ground '
                          f'{what} is {" or ".join(names) or "not there"}: its display must say '
                          'what is shown')
     return found[0]

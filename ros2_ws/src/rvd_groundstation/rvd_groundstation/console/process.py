@@ -14,6 +14,7 @@ import threading
 from pathlib import Path
 from typing import Any
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_groundstation.console.attach import listen
 from rvd_groundstation.console.hub import Hub
 from rvd_groundstation.console.server import Address, Server
@@ -120,7 +121,7 @@ async def run_node(hub: Hub, arguments: list[str], gone: asyncio.Event) -> tuple
         try:
             follow(hub, arguments, stop.is_set, loop.call_soon_threadsafe)
             result = (0, '')
-        except ValueError as error:
+        except BadInput as error:
             result = (2, str(error))
         except Exception as error:              # noqa: B902 - told to whoever started the run
             result = (1, f'{type(error).__name__}: {error}')

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from struct import Struct
 from typing import Any
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.display import MODES, MOST_AXES
 
 STICK = Struct(f'<BBH{MOST_AXES}fd')
@@ -133,4 +134,4 @@ def _known(value: Any) -> Any:
 
 
 def _no_constant(name: str) -> None:
-    raise ValueError(name)
+    raise BadInput(name)

@@ -9,6 +9,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.block import GROUND
 from rvd_dynamics.diagram.build import made
 from rvd_dynamics.diagram.diagram import Diagram
@@ -168,10 +169,10 @@ def _check(mission: str, provider: MissionDisplay, known: Mapping[str, Signal]) 
     display = provider.display
     wanted = {*display.parts(), *provider.derives_from} - {DERIVED, TRUTH, PILOT}
     for topic in sorted(wanted - set(known)):
-        raise ValueError(f'mission {mission}: its display shows {topic}, which is not on the '
+        raise BadInput(f'mission {mission}: its display shows {topic}, which is not on the '
                          f'ground; there are: {", ".join(sorted(known))}')
     for field, topic, kinds in (('measured', display.measured, (FRAME,)),
                                 ('commands.sent', display.commands.sent, tuple(COMMANDS))):
         if known[topic].message not in kinds:
-            raise ValueError(f'mission {mission}: its display has {topic} as {field}, which must '
+            raise BadInput(f'mission {mission}: its display has {topic} as {field}, which must '
                              f'be a {" or ".join(kinds)}, not a {known[topic].message}')

@@ -11,6 +11,8 @@ import sys
 from pathlib import Path
 from typing import Any
 
+from rvd_dynamics.bad_input import BadInput
+
 READER = (sys.executable, '-m', 'rvd_campaign.report.replay')
 MOST_RUNS = 200                 # rows of the list, newest first
 DEEPEST = 3                     # folders below the runs folder that are looked through
@@ -56,5 +58,5 @@ async def load(runs: Path | None, name: str) -> bytes:
     if reader.returncode == 1:
         raise FileNotFoundError(name)
     if reader.returncode != 0:
-        raise ValueError(complaint.decode(errors='replace').strip().rsplit('\n', 1)[-1])
+        raise BadInput(complaint.decode(errors='replace').strip().rsplit('\n', 1)[-1])
     return body

@@ -19,6 +19,7 @@ from rvd_groundstation.console.access import (
 from rvd_groundstation.console.clients import STUCK_S
 from rvd_groundstation.console.hub import Client, Hub
 from rvd_groundstation.console.protocol import MAX_FRAME
+from rvd_dynamics.bad_input import BadInput
 
 STATIC = Path(__file__).parent / 'static'
 REQUEST_RATE, REQUEST_BURST = 60.0, 200.0       # [1/s] of all pages together
@@ -40,7 +41,7 @@ class Address:
     def __post_init__(self) -> None:
         check_bind(self.bind, self.tls_cert, self.tls_key)
         if not 0 <= self.port < 1 << 16:
-            raise ValueError(f'port must be 0 to 65535, got {self.port}')
+            raise BadInput(f'port must be 0 to 65535, got {self.port}')
 
     def tls(self) -> ssl.SSLContext | None:
         """Return the TLS context, None on a loopback address without one."""
@@ -50,7 +51,7 @@ class Address:
         try:
             context.load_cert_chain(self.tls_cert, self.tls_key)
         except OSError as error:
-            raise ValueError(f'cannot load the TLS certificate {self.tls_cert} with the key '
+            raise BadInput(f'cannot load the TLS certificate {self.tls_cert} with the key '
                              f'{self.tls_key}: {error}') from None
         return context
 
@@ -86,7 +87,7 @@ class Server:
                 self._connection, self._address.bind, self._address.port, ssl=context,
                 ssl_handshake_timeout=ASK_S if context else None)
         except OSError as error:
-            raise ValueError(f'the console cannot listen on {self._address.bind}:'
+            raise BadInput(f'the console cannot listen on {self._address.bind}:'
                              f'{self._address.port}: {error.strerror}') from None
         port = self._listener.sockets[0].getsockname()[1]
         self.access = Access(self._token, self._address.bind, port, context is not None)

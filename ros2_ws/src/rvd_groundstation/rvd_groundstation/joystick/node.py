@@ -19,6 +19,7 @@ from typing import Any
 from rosgraph_msgs.msg import Clock
 from sensor_msgs.msg import Joy
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.diagram.ros import qos
 from rvd_dynamics.diagram.ros.arguments import parsed
@@ -105,7 +106,7 @@ def main() -> None:
     """Drive the stick of this machine until the run is over."""
     try:
         arguments = parsed(sys.argv)
-    except ValueError as error:
+    except BadInput as error:
         print(f'{NAME}: {error}', file=sys.stderr)
         sys.exit(2)
     run(Joystick, arguments, sys.argv)

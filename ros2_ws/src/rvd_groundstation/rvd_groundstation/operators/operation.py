@@ -2,6 +2,7 @@
 Who flies and who decides: the settings that operators and sharing have in common.
 """
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.params import param, settings
 from rvd_dynamics.diagram.run import Run
 
@@ -45,6 +46,6 @@ def checked(operation: Operation, run: Run) -> Operation:
         If a stick is to be held in lock step.
     """
     if operation.joy_input == 'held' and run.pace == 'lockstep':
-        raise ValueError('joy_input held needs pace realtime: lock step has no wall clock '
+        raise BadInput('joy_input held needs pace realtime: lock step has no wall clock '
                          'by which a stick could be held')
     return operation

@@ -27,6 +27,7 @@ from pathlib import Path
 import shlex
 from typing import TYPE_CHECKING
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.constants import NS_PER_S
 
 if TYPE_CHECKING:
@@ -88,15 +89,15 @@ def read_tape(path: str | Path, topic: str = TOPIC) -> Tape:
         if is_bag(path):
             return _read_bag(path, topic)
         if topic != TOPIC:
-            raise ValueError(f'{path}: a topic ({topic}) can be picked from a bag only: CSV has '
+            raise BadInput(f'{path}: a topic ({topic}) can be picked from a bag only: CSV has '
                              'none')
         if path.suffix == '.bag':
-            raise ValueError(
+            raise BadInput(
                 f'{path}: a bag of ROS 1; convert it with: ./rvd shell rosbags-convert --src '
                 f'{shlex.quote(str(path))} --dst {shlex.quote(str(path.with_suffix("")))}')
         return _read_csv(path)
     except OSError as error:
-        raise ValueError(f'{path}: cannot read the tape: {error.strerror or error}') from None
+        raise BadInput(f'{path}: cannot read the tape: {error.strerror or error}') from None
 
 
 class _Samples:
@@ -111,7 +112,7 @@ class _Samples:
         """Take one sample; `where` names it in a refusal."""
         for i, value in enumerate(axes):
             if not isfinite(value):
-                raise ValueError(f'{where}: axis_{i} must be finite, got {value}')
+                raise BadInput(f'{where}: axis_{i} must be finite, got {value}')
         self._wheres.append(where)
         self._axes.append(axes)
         self._buttons.append(buttons)
@@ -122,7 +123,7 @@ class _Samples:
         if at:
             what = 'time must rise' if stamps_ns[at] <= stamps_ns[at - 1] else (
                 f'time must rise by at most {LONGEST_GAP_NS / NS_PER_S:g} s')
-            raise ValueError(f'{self._wheres[at]}: {what}, got {stamps_ns[at] / NS_PER_S:.12g} s '
+            raise BadInput(f'{self._wheres[at]}: {what}, got {stamps_ns[at] / NS_PER_S:.12g} s '
                              f'after {stamps_ns[at - 1] / NS_PER_S:.12g} s')
         return Tape(tuple(t - stamps_ns[0] for t in stamps_ns), tuple(self._axes),
                     tuple(self._buttons), note)
@@ -147,9 +148,9 @@ def _read_csv(path: Path) -> Tape:
                 axes = _axes_of(header, where)
                 continue
             if len(row) != len(header):
-                raise ValueError(f'{where}: {len(header)} columns expected, got {len(row)}')
+                raise BadInput(f'{where}: {len(header)} columns expected, got {len(row)}')
             if not abs(_number(row[0], 't_s', where)) <= LATEST_S:
-                raise ValueError(f'{where}: t_s must be within {LATEST_S:g} s, got {row[0]}')
+                raise BadInput(f'{where}: t_s must be within {LATEST_S:g} s, got {row[0]}')
             stamps.append(int((Decimal(row[0].strip()) * NS_PER_S).to_integral_value()))
             samples.add(
                 where,
@@ -158,11 +159,11 @@ def _read_csv(path: Path) -> Tape:
                 tuple(_button(text, name, where)
                       for name, text in zip(header[axes + 1:], row[axes + 1:])))
     except csv.Error as error:
-        raise ValueError(f'{path}, line {rows.line_num}: not CSV: {error}') from None
+        raise BadInput(f'{path}, line {rows.line_num}: not CSV: {error}') from None
     if axes < 0:
-        raise ValueError(f'{path}: the tape has no header t_s,axis_0,...,button_0,...')
+        raise BadInput(f'{path}: the tape has no header t_s,axis_0,...,button_0,...')
     if not stamps:
-        raise ValueError(f'{path}: the tape holds no sample')
+        raise BadInput(f'{path}: the tape holds no sample')
     return samples.tape(stamps)
 
 
@@ -170,13 +171,13 @@ def _text_of(path: Path) -> str:
     """Return a CSV file as text without a byte-order mark, or refuse it by its encoding."""
     data = path.read_bytes()
     if data.startswith(MARKS) or b'\0' in data[:64]:
-        raise ValueError(
+        raise BadInput(
             f'{path}: the tape is UTF-16 or binary, not UTF-8: save it as "CSV UTF-8", or convert '
             f'it with: iconv -f UTF-16 -t UTF-8 {shlex.quote(str(path))} > tape.csv')
     try:
         return data.decode('utf-8-sig')
     except UnicodeDecodeError as error:
-        raise ValueError(f'{path}, line {data.count(10, 0, error.start) + 1}: the byte '
+        raise BadInput(f'{path}, line {data.count(10, 0, error.start) + 1}: the byte '
                          f'0x{data[error.start]:02x} is not UTF-8: save the tape as "CSV UTF-8"'
                          ) from None
 
@@ -186,7 +187,7 @@ def _axes_of(header: list[str], where: str) -> int:
     for mark, name, cure in ((';', 'semicolons', "sed 's/,/./g; s/;/,/g'"),
                              ('\t', 'tabs', "sed 's/,/./g; s/\\t/,/g'")):
         if header[0].partition(mark)[0].strip() == 't_s' and mark in header[0]:
-            raise ValueError(
+            raise BadInput(
                 f'{where}: the columns are separated by {name}, as spreadsheets do where the '
                 'decimal mark is a comma; a tape has commas between columns and decimal points: '
                 f'convert it with: {cure} OLD > NEW')
@@ -194,7 +195,7 @@ def _axes_of(header: list[str], where: str) -> int:
     expected = ['t_s', *(f'axis_{i}' for i in range(axes)),
                 *(f'button_{i}' for i in range(len(header) - 1 - axes))]
     if header != expected or axes == 0:
-        raise ValueError(f'{where}: the header must be t_s,axis_0,...,button_0,..., '
+        raise BadInput(f'{where}: the header must be t_s,axis_0,...,button_0,..., '
                          f'got {",".join(header)}')
     return axes
 
@@ -203,13 +204,13 @@ def _number(text: str, name: str, where: str) -> float:
     try:
         return float(text)
     except ValueError:
-        raise ValueError(f'{where}: {name} must be a number, got {text.strip()!r}') from None
+        raise BadInput(f'{where}: {name} must be a number, got {text.strip()!r}') from None
 
 
 def _button(text: str, name: str, where: str) -> int:
     value = _number(text, name, where)
     if value not in (0.0, 1.0):
-        raise ValueError(f'{where}: {name} must be 0 or 1, got {text.strip()}')
+        raise BadInput(f'{where}: {name} must be 0 or 1, got {text.strip()}')
     return int(value)
 
 
@@ -231,7 +232,7 @@ def _read_bag(path: Path, topic: str) -> Tape:
                 _check_type(file, source)
         sources += content.sources
     if not stamps:
-        raise ValueError(f'{path}: the tape holds no sample on {topic}; {_choice(sources)}')
+        raise BadInput(f'{path}: the tape holds no sample on {topic}; {_choice(sources)}')
     if fault(stamps) and not fault(logged):
         return samples.tape(logged, f'{path}: header stamps of {topic} are zero or repeated: '
                                     'the log times of the bag are used')
@@ -252,5 +253,5 @@ def _choice(sources: list['Source']) -> str:
 
 def _check_type(file: Path, source: 'Source') -> None:
     if (source.kind, source.encoding) != (MESSAGE, 'cdr'):
-        raise ValueError(f'{file}: {source.topic} must be {MESSAGE} in cdr, got '
+        raise BadInput(f'{file}: {source.topic} must be {MESSAGE} in cdr, got '
                          f'{source.kind or "no schema"} in {source.encoding}')

@@ -25,6 +25,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.motion import cw
 from rvd_dynamics.motion.orbit import OrbitParams, StartParams
 from rvd_dynamics.diagram.params import param, settings
@@ -131,7 +132,7 @@ class Predictor:
             If a step was left out or repeated.
         """
         if step != self._next_step:
-            raise ValueError(f'step must be {self._next_step}, got {step}')
+            raise BadInput(f'step must be {self._next_step}, got {step}')
         self._next_step += 1
         if step > 0:
             self._remember(step - 1, sent, abort)

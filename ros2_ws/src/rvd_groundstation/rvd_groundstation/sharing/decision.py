@@ -16,6 +16,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.commands import codes
 from rvd_groundstation.operators.operation import MODES
 
@@ -73,7 +74,7 @@ def decide(mode: str, sharing: Sharing, pilot: ArrayLike, pilot_valid: ArrayLike
         If the mode is unknown.
     """
     if mode not in MODES:
-        raise ValueError(f'mode must be one of {", ".join(MODES)}, got {mode}')
+        raise BadInput(f'mode must be one of {", ".join(MODES)}, got {mode}')
     pilot, pilot_valid = usable(pilot, pilot_valid)
     auto, auto_valid = usable(auto, auto_valid)
     if mode == 'manual':

@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.params import flatten
 from rvd_dynamics.diagram.scenario import load, Scenario
 from rvd_groundstation.operators.pilot import PILOTS
@@ -34,7 +35,7 @@ def pilot(value: Any, folder: Path) -> dict[str, dict[str, Any]]:
     for path in (folder / str(value), Path(str(value))):
         if path.is_file():
             return {'operator_model': flatten(load(path).settings('operator_model'))}
-    raise ValueError(f'no pilot {value!r}: give a file or one of {", ".join(PILOTS)}')
+    raise BadInput(f'no pilot {value!r}: give a file or one of {", ".join(PILOTS)}')
 
 
 def notes(scenarios: Sequence[Scenario]) -> list[str]:

@@ -29,6 +29,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import linprog
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram import streams
 from rvd_dynamics.diagram.in_process import check, fly, judge_of
 from rvd_dynamics.diagram.judge import Verdict
@@ -100,9 +101,9 @@ def ceiling(scenario: Scenario, runs: Sequence[int], first_step: int | None = No
     if first_step is None:
         first_step = scenario.part('legs').loop
     if first_step < 0:
-        raise ValueError(f'first_step must not be negative, got {first_step}')
+        raise BadInput(f'first_step must not be negative, got {first_step}')
     if len(runs) == 0:
-        raise ValueError('runs must be one or more, got none')
+        raise BadInput('runs must be one or more, got none')
     parts = [_decide(scenario, runs[i:i + BATCH], first_step)
              for i in range(0, len(runs), BATCH)]
     return Ceiling(*(np.concatenate(part) for part in zip(*parts)))
@@ -267,11 +268,11 @@ def main(args: Sequence[str] | None = None) -> None:
     try:
         scenario, runs = load(options.scenario), range(options.runs)
         if scenario.mission is not MISSION:
-            raise ValueError(f'{options.scenario} must be of mission {MISSION.name}, got '
+            raise BadInput(f'{options.scenario} must be of mission {MISSION.name}, got '
                              f'{scenario.mission.name}')
         check(scenario)
         found = ceiling(scenario, runs, 0 if options.warm else None)
-    except ValueError as error:
+    except BadInput as error:
         parser.error(str(error))
     for name, mask in found._asdict().items():
         print(f'{name:8s} {mask.sum():7d}  {mask.mean():.4f}')

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.commands.codes import BY_PILOT, KIND_ABORT, KIND_THRUST, REASON_ABORT
 from rvd_dynamics.commands.levels import LevelForm, stick_levels, StickParams, ThrustParams
 from rvd_dynamics.diagram.block import Block
@@ -75,7 +76,7 @@ def tape(scenario: Scenario) -> Tape:
     """
     settings = scenario.settings('joystick_replay')
     if not settings.tape:
-        raise ValueError('operator replay needs a tape: joystick_replay: tape names none')
+        raise BadInput('operator replay needs a tape: joystick_replay: tape names none')
     return read_tape(settings.tape, settings.tape_topic)
 
 

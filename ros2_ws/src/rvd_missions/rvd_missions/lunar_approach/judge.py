@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.judge import Measure, Verdict
 from rvd_dynamics.diagram.run import Run
 from rvd_dynamics.geometry import arc
@@ -109,7 +110,7 @@ class Judge:
             If `step` does not follow the last one: a run with a gap cannot be judged.
         """
         if self._step < 0 or step != self._step + 1:
-            raise ValueError(f'a judge needs every step in order: got {step} '
+            raise BadInput(f'a judge needs every step in order: got {step} '
                              f'after {self._step if self._step >= 0 else "none"}')
         self._step = step
         start, self._state = self._state, self._columns(state, 6)
@@ -191,7 +192,7 @@ class Judge:
         """Return a private copy (width, N) of an argument (..., width)."""
         rows = np.asarray(rows, dtype=float)
         if rows.shape != (*self._batch, width):
-            raise ValueError(f'expected shape {(*self._batch, width)}, got {rows.shape}')
+            raise BadInput(f'expected shape {(*self._batch, width)}, got {rows.shape}')
         return np.array(rows.reshape(-1, width).T, order='C')
 
 

@@ -17,6 +17,7 @@ from dataclasses import dataclass, fields, is_dataclass
 from math import isfinite
 from typing import Any
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.display.panels import (  # noqa: F401 - the vocabulary
     Axis, Camera, CameraMark, Chart, Charts, CommandAxis, CommandRow, Commands, Controller,
     Gauge, Instrument, Instruments, Reading, Readout, Ring, Section, Spot)
@@ -135,4 +136,4 @@ def as_data(value: Any, where: str = 'display') -> Any:
     if is_real(value):
         require(isfinite(value), where, 'be finite', value)
         return float(value)
-    raise ValueError(f'{where} must be a number, words or a part of a display, got {value!r}')
+    raise BadInput(f'{where} must be a number, words or a part of a display, got {value!r}')

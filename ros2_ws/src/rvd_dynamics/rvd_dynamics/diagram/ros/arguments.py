@@ -13,6 +13,7 @@ from typing import Any
 
 import yaml
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram import scenario as scenarios
 from rvd_dynamics.diagram.identity import own_run
 from rvd_dynamics.diagram.params import dotted
@@ -83,7 +84,7 @@ class Arguments:
             own = self.name in scenario.mission.sections
             return self.name if own and scenario.has_key(self.name, key) else SHARED
         if node != SHARED and node not in scenario.mission.sections:
-            raise ValueError(f'-p {node}:{key}: no node {node!r} has parameters of its own'
+            raise BadInput(f'-p {node}:{key}: no node {node!r} has parameters of its own'
                              + nearest(node, scenario.mission.sections))
         return node
 
@@ -114,12 +115,12 @@ def parsed(argv: list[str]) -> Arguments:
         elif flag in ('-p', '--param'):
             key, found, value = word.partition(':=')
             if not found:
-                raise ValueError(f'{flag} must be followed by NAME:=VALUE, got {word!r}')
+                raise BadInput(f'{flag} must be followed by NAME:=VALUE, got {word!r}')
             node, _, key = key.rpartition(':')
             try:
                 given = yaml.safe_load(value)
             except yaml.YAMLError:
-                raise ValueError(f'{flag} {word}: the value is not valid YAML') from None
+                raise BadInput(f'{flag} {word}: the value is not valid YAML') from None
             if key in OF_THE_PROCESS:
                 process[key] = given
             else:

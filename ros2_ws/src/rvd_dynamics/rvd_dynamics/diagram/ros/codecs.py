@@ -15,6 +15,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from sensor_msgs.msg import Joy
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.commands import codes
 from rvd_dynamics.commands.form import CommandForm
 from rvd_dynamics.commands.levels import (
@@ -106,7 +107,7 @@ class Parts(Codec):
         parts = self.wired(value)
         for part, given in zip(self.signal.parts, parts):
             if given.shape != part.shape:
-                raise ValueError(f'{part.name} must have shape {part.shape}, got {given.shape}')
+                raise BadInput(f'{part.name} must have shape {part.shape}, got {given.shape}')
         numbers = np.concatenate([np.ravel(given).astype(float) for given in parts])
         return Values(header=header_at(self.stamp_ns(k), self.run.frame_id), step=k,
                       layout=self._layout, values=numbers)
@@ -120,7 +121,7 @@ class Parts(Codec):
     def decode(self, k: int, message: Values) -> Any:
         """Return the value in a message; ValueError if it is of another layout."""
         if message.layout != self._layout:
-            raise ValueError(f'{self.signal.name} must hold {self._layout}, got {message.layout}')
+            raise BadInput(f'{self.signal.name} must hold {self._layout}, got {message.layout}')
         made, at = [], 0
         for part in self.signal.parts:
             size = int(np.prod(part.shape, dtype=int))

@@ -24,6 +24,7 @@ from rclpy.signals import SignalHandlerOptions
 from std_msgs.msg import String, UInt64
 
 from rvd_dynamics import lifeline
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram import identity
 from rvd_dynamics.diagram.ros.arguments import Arguments
 from rvd_dynamics.diagram.ros.conversions import header_at
@@ -46,7 +47,7 @@ def message_type(name: str) -> type:
     try:
         return getattr(importlib.import_module(f'{package}.{folder}'), kind)
     except (ImportError, AttributeError):
-        raise ValueError(f'message type {name} is not installed') from None
+        raise BadInput(f'message type {name} is not installed') from None
 
 
 class Host:
@@ -301,7 +302,7 @@ def _init(argv: list[str]) -> None:
     try:
         rclpy.init(args=argv, signal_handler_options=_signals())
     except RuntimeError as error:               # RCLError: arguments that are none of ROS
-        raise ValueError(f'bad ROS arguments: {" ".join(str(error).split())}') from None
+        raise BadInput(f'bad ROS arguments: {" ".join(str(error).split())}') from None
 
 
 def run(make: Callable[[Host], None], arguments: Arguments, argv: list[str]) -> None:
@@ -323,7 +324,7 @@ def run(make: Callable[[Host], None], arguments: Arguments, argv: list[str]) -> 
     except RuntimeError:                        # told to stop between two waits
         if rclpy.ok():
             raise
-    except ValueError as error:
+    except BadInput as error:
         node = getattr(error, 'rvd_node', None)
         name = node.get_name() if node is not None else arguments.name
         print(f'{name}: {error}', file=sys.stderr)

@@ -9,6 +9,7 @@ group:=NAME` starts all the nodes that share the process NAME when `processes` i
 import sys
 
 from rvd_dynamics import lifeline
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.block import Block, Leg
 from rvd_dynamics.diagram.ros.arguments import Arguments, parsed
 from rvd_dynamics.diagram.ros.block_node import BlockNode
@@ -26,7 +27,7 @@ def main() -> None:
     lifeline.hold()
     try:
         arguments = parsed(sys.argv)
-    except ValueError as error:
+    except BadInput as error:
         print(f'{sys.argv[0].rsplit("/", 1)[-1]}: {error}', file=sys.stderr)
         sys.exit(2)
     run(lambda host: make(host, wanted(host, arguments)), arguments, sys.argv)
@@ -46,17 +47,17 @@ def wanted(host: Host, arguments: Arguments) -> tuple[str, ...]:
         group = arguments.process.get('group', '')
         groups = {p.name: p.nodes for p in roster.processes if p.grouped}
         if group not in groups:
-            raise ValueError(
+            raise BadInput(
                 f'group must be one of {", ".join(groups)} with processes '
                 f'{host.scenario.run.processes}, got {group!r}' if groups else
                 'a group needs processes segments or one, got blocks')
         return groups[group]
     legs = [block.name for block in roster.diagram.blocks if isinstance(block, Leg)]
     if arguments.executable == LEG_EXECUTABLE and arguments.name not in legs:
-        raise ValueError(f'a link must be named {" or ".join(legs)}, not {arguments.name!r}: add '
+        raise BadInput(f'a link must be named {" or ".join(legs)}, not {arguments.name!r}: add '
                          f'--ros-args -r __node:={legs[0]}')
     if arguments.name not in roster.blocks and arguments.name not in roster.watchers:
-        raise ValueError(f'mission {host.scenario.mission.name} has no node {arguments.name!r} in '
+        raise BadInput(f'mission {host.scenario.mission.name} has no node {arguments.name!r} in '
                          f'this scenario; it has {", ".join((*roster.blocks, *roster.watchers))}')
     return (arguments.name,)
 

@@ -9,6 +9,7 @@ Publishes   /run/verdict    rvd_interfaces/Verdict, at most 10 a second of wall 
 import time
 from typing import Any
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.build import made
 from rvd_dynamics.diagram.judge import judgement
 from rvd_dynamics.diagram.ros.conversions import header_at, verdict_to_msg
@@ -46,7 +47,7 @@ class MissionMonitor(RunNode):
 
     def _on_truth(self, step: int, truth: Any) -> None:
         if step != self.step + 1:
-            raise ValueError(f'truth jumps from step {self.step} to {step}: a run with a gap '
+            raise BadInput(f'truth jumps from step {self.step} to {step}: a run with a gap '
                              'cannot be judged')
         self.step = step
         self._judge.follow(step, truth)

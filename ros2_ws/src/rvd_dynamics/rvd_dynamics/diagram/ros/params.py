@@ -9,6 +9,7 @@ from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescri
 from rclpy.exceptions import InvalidParameterTypeException, InvalidParameterValueException
 from rclpy.node import Node
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.params import build, default_of, leaves
 
 
@@ -39,7 +40,7 @@ def declare(node: Node, cls: type, prefix: str = '') -> Any:
             anything = ParameterDescriptor(dynamic_typing=True, read_only=True)
             values[key] = node.declare_parameter(prefix + key, default, anything).value
         except InvalidParameterTypeException as error:      # pragma: no cover - dynamic typing
-            raise ValueError(f'{prefix}{key}: {error}') from None
+            raise BadInput(f'{prefix}{key}: {error}') from None
     return build(cls, values, label=prefix)
 
 

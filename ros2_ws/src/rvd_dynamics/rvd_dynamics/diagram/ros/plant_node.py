@@ -6,6 +6,7 @@ from typing import Any
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import Bool, String, UInt64
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.diagram.block import Block
 from rvd_dynamics.diagram.identity import in_words, who_is_ready
@@ -87,7 +88,7 @@ class PlantNode(BlockNode):
     def _heard_ready(self, words: str) -> None:
         name, run = who_is_ready(words, self.host.run_id)
         if run != self.host.run_id:             # both had begun before they met
-            raise ValueError(f'another run has come into ROS_DOMAIN_ID='
+            raise BadInput(f'another run has come into ROS_DOMAIN_ID='
                              f'{self.context.get_domain_id()}: {in_words(run)}; give each run its own')
         self._waiting_for.discard(name)
         if self._waiting_for or self._started:

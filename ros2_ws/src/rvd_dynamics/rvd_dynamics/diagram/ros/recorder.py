@@ -20,6 +20,7 @@ from typing import Callable
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from std_msgs.msg import UInt64
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.params import require
 from rvd_dynamics.recording.bag_writer import BagWriter
 from rvd_dynamics.recording.params import RecorderParams
@@ -87,7 +88,7 @@ class BagRecorder(RunNode):
         try:
             return BagWriter(Path(directory), worth)
         except OSError as error:
-            raise ValueError(f'bag_dir {directory}: {error.strerror}') from None
+            raise BadInput(f'bag_dir {directory}: {error.strerror}') from None
 
     # -- topics ---------------------------------------------------------------------------
 
