@@ -52,6 +52,7 @@ PYTHON
 find_python() {
     local candidate base gaps candidates=(python3 python3.12 python3.11 python3.13 python3.10)
     [[ $ros != wheels ]] && candidates=(/usr/bin/python3 python3)       # the one that ROS is built for
+    [[ -n $installed ]] && candidates+=(/usr/bin/python3)
     [[ -n ${RVD_PYTHON:-} ]] && candidates=("$RVD_PYTHON")
     python='' lacks=''
     for candidate in "${candidates[@]}"; do
@@ -72,9 +73,26 @@ check_machine() {
         die "ROS build tools need a path without spaces, quotes and colons, not '$root'"
     [[ -w $root ]] || die "cannot write to $root"
 
+    local missing installed=''
+    find_missing
+    if [[ -n $missing && $(id -u 2> /dev/null) == 0 ]] && command -v apt-get > /dev/null; then
+        stage system "installing$missing on this machine, with apt-get" install_from_the_system
+        installed=yes
+        find_missing
+    fi
+    [[ -z $missing ]] || die "missing on this machine: sudo apt-get install$missing"
+    [[ $ros == wheels ]] || (load_underlay && "$python" -c 'import rclpy') 2> /dev/null ||
+        die "$python cannot import rclpy of ROS 2 ($ros): RVD_PYTHON=/path/to/python names its" \
+            'Python, RVD_ROS_PREFIX=none does without this ROS'
+}
+
+# Find a Python, and set `missing` to what the machine lacks, as Debian packages. CMake comes with
+# the packages of the lock.
+find_missing() {
     find_python
-    local tool missing=''
-    for tool in cmake g++ make; do
+    local tool
+    missing=''
+    for tool in g++ make; do
         command -v "$tool" > /dev/null || missing+=" $tool"
     done
     if [[ -z $python ]]; then
@@ -86,10 +104,18 @@ check_machine() {
     else
         missing+=${lacks:+ ${lacks% }}
     fi
-    [[ -z $missing ]] || die "missing on this machine: sudo apt-get install$missing"
-    [[ $ros == wheels ]] || (load_underlay && "$python" -c 'import rclpy') 2> /dev/null ||
-        die "$python cannot import rclpy of ROS 2 ($ros): RVD_PYTHON=/path/to/python names its" \
-            'Python, RVD_ROS_PREFIX=none does without this ROS'
+}
+
+# Install $missing. The lists of a fresh container are empty, those of an old machine name packages
+# that are gone: then they are fetched first.
+install_from_the_system() {
+    local packages
+    read -ra packages <<< "$missing"
+    export DEBIAN_FRONTEND=noninteractive
+    apt-get install -y --no-install-recommends "${packages[@]}" || {
+        apt-get update
+        apt-get install -y --no-install-recommends "${packages[@]}"
+    }
 }
 
 # ---------------------------------------------------------------------------- progress by stage

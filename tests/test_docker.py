@@ -86,7 +86,7 @@ def test_every_command_that_is_run_is_apt_or_the_set_up():
 def test_apt_installs_what_the_set_up_asks_for():
     installed = {word for command in commands() if command[:2] == ['apt-get', 'install']
                  for word in command[2:]}
-    assert {'cmake', 'g++', 'make', 'python3-dev', 'python3-venv'} <= installed
+    assert {'g++', 'make', 'python3-dev', 'python3-venv'} <= installed
 
 
 def test_the_container_starts_a_command_that_exists():

@@ -62,7 +62,7 @@ def copy_of_the_project(place):
 def folder_of_tools(place, without=()):
     """Make a folder to use as PATH: what the scripts call, a Python and a compiler."""
     place.mkdir()
-    for name in [*TOOLS, 'cmake', 'g++', 'make']:
+    for name in [*TOOLS, 'g++', 'make']:
         found = shutil.which(name, path=outside()['PATH'])
         if found and name not in without:
             (place / name).symlink_to(found)
@@ -150,11 +150,73 @@ def test_a_search_path_of_cd_leads_no_script_astray(project, where):
     assert (done.stdout, done.stderr) == (f'{project}/overlay\n', '')
 
 
-@pytest.mark.parametrize('missing', [['cmake'], ['g++'], ['make'], ['cmake', 'g++', 'make']])
+@pytest.mark.parametrize('missing', [['g++'], ['make'], ['g++', 'make']])
 def test_missing_tools_are_named_as_packages_to_install(project, tmp_path, missing):
     tools = folder_of_tools(tmp_path / 'tools', without=missing)
     line = refusal(rvd(project, 'fly', PATH=str(tools)))
     assert line.endswith('apt-get install ' + ' '.join(missing) + '\n')
+
+
+def as_root(tools, uid=0):
+    """Let the scripts believe that they run as root, or as another user."""
+    stand_in(tools, 'id', f'echo {uid}\n')
+
+
+def imitate_apt_get(tools, place, brings, update_first=False):
+    """Put an apt-get into a folder of tools that notes what it is told and brings some tools."""
+    bring = ''.join(f'ln -sf {shutil.which(name, path=outside()["PATH"])} {tools}/{name}\n'
+                    for name in brings)
+    (tools / 'ln').symlink_to(shutil.which('ln'))
+    lists = f'{place}/lists'
+    stand_in(tools, 'apt-get', f'echo "$@" >> {place}/told\n'
+             + (f'[ "$1" = update ] && touch {lists} && exit\n'
+                f'[ -e {lists} ] || {{ echo "E: Unable to locate package" >&2; exit 100; }}\n'
+                if update_first else '') + (f'(touch {lists})\n') + bring)
+    (tools / 'touch').symlink_to(shutil.which('touch'))
+
+
+def test_root_gets_what_is_missing_installed_and_the_set_up_goes_on(project, tmp_path):
+    tools = folder_of_tools(tmp_path / 'tools', without=['g++', 'make'])
+    as_root(tools)
+    imitate_apt_get(tools, tmp_path, ['g++', 'make'])
+    done = rvd(project, 'fly', PATH=str(tools), PIP_NO_INDEX='1', PIP_CONFIG_FILE='/dev/null')
+    assert done.returncode == 2                 # without an index that is as far as it gets
+    assert 'installing g++ make on this machine, with apt-get' in done.stderr
+    assert 'installing' in done.stderr.partition('making the environment')[2]
+
+
+@pytest.mark.parametrize('fresh', [False, True], ids=['', 'without package lists'])
+def test_what_apt_get_does_not_bring_is_named(project, tmp_path, fresh):
+    tools = folder_of_tools(tmp_path / 'tools', without=['g++', 'make'])
+    as_root(tools)
+    imitate_apt_get(tools, tmp_path, ['g++'], update_first=fresh)
+    done = rvd(project, 'fly', PATH=str(tools))
+    assert done.returncode == 2
+    assert done.stderr.endswith('rvd: missing on this machine: sudo apt-get install make\n')
+    ask = 'install -y --no-install-recommends g++ make'
+    assert (tmp_path / 'told').read_text().splitlines() == (
+        [ask, 'update', ask] if fresh else [ask])
+
+
+def test_an_apt_get_that_fails_shows_its_last_words(project, tmp_path):
+    tools = folder_of_tools(tmp_path / 'tools', without=['make'])
+    as_root(tools)
+    stand_in(tools, 'apt-get', 'echo "E: Could not get lock" >&2\nexit 100\n')
+    done = rvd(project, 'fly', PATH=str(tools))
+    assert done.returncode == 2 and 'E: Could not get lock' in done.stderr
+    assert '.rvd/log/system.log' in done.stderr
+
+
+def test_who_is_not_root_gets_the_line_to_type(project, tmp_path):
+    tools = folder_of_tools(tmp_path / 'tools', without=['make'])
+    as_root(tools, uid=1000)
+    imitate_apt_get(tools, tmp_path, ['make'])
+    line = refusal(rvd(project, 'fly', PATH=str(tools)))
+    assert line.endswith('sudo apt-get install make\n') and not (tmp_path / 'told').exists()
+
+
+def test_cmake_is_among_the_packages():
+    assert 'cmake' in {requirement.name for requirement, _ in entries()}
 
 
 def test_missing_python_is_named(project, tmp_path):
