@@ -107,6 +107,6 @@ def test_a_node_that_hangs_after_the_flight_does_not_take_the_verdict_with_it(mo
     flight._headless, flight._on_line = True, False
     flight._supervisor = SimpleNamespace(pids={'a': 1, 'link_forward': 2}, codes={'a': 0},
                                          ended=False, failures=dict)
-    flight._watch = SimpleNamespace(spin=lambda s: time.sleep(0.01), events=[], steps=1)
+    flight._watch = SimpleNamespace(spin=lambda s: time.sleep(0.01), new_events=list, steps=1)
     flight._wait_for_the_nodes()
     assert 'link_forward did not end after the flight' in capsys.readouterr().err

@@ -49,7 +49,7 @@ FRESH_NS = 100_000_000          # [ns] wall time after which a step is old news
 PATIENCE_S = 120.0              # [s] wall time for one flight, start included
 
 
-class Unheard(ValueError):
+class Unheard(BadInput):
     """Too few steps of a flight were heard while they were new."""
 
 

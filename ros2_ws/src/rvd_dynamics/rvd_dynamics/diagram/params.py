@@ -26,7 +26,7 @@ else:
 LARGEST = sys.float_info.max
 
 
-class Impossible(ValueError):
+class Impossible(BadInput):
     """A setting that cannot be; the text is one line that names key and value."""
 
     def __init__(self, key: str, meaning: str, value: Any) -> None:

@@ -1,0 +1,70 @@
+"""A fault of the software is not told as bad input, and a process that cannot end is ended."""
+
+import subprocess
+import sys
+import time
+
+import pytest
+from runs import environment
+
+from rvd_campaign import catalogue, cli
+from rvd_dynamics.bad_input import BadInput
+
+NODE = """
+import sys
+from rvd_dynamics.bad_input import BadInput
+from rvd_dynamics.diagram.ros import main
+def parsed(argv):
+    raise {error}('two shapes do not fit')
+main.parsed = parsed
+main.main()
+"""
+
+
+@pytest.mark.parametrize('error, code', [(ValueError, 3), (KeyError, 3), (BadInput, 2)])
+def test_a_command_tells_bad_input_from_its_own_fault(error, code, monkeypatch, capsys):
+    def entries(what):
+        raise error('two shapes do not fit')
+    monkeypatch.setattr(catalogue, 'entries', entries)
+    assert cli.main(['list', 'laws']) == code
+    said = capsys.readouterr().err
+    assert ('Traceback' in said) == (code == 3)
+    assert 'two shapes do not fit' in said
+
+
+def test_numpy_is_never_bad_input(monkeypatch, capsys):
+    def entries(what):
+        import numpy
+        return numpy.zeros(3) + numpy.zeros(4)
+    monkeypatch.setattr(catalogue, 'entries', entries)
+    assert cli.main(['list', 'laws']) == 3
+    assert 'could not be broadcast' in capsys.readouterr().err
+
+
+@pytest.mark.parametrize('error, code', [('ValueError', 1), ('BadInput', 2)])
+def test_a_node_tells_them_apart_too(error, code):
+    done = subprocess.run([sys.executable, '-c', NODE.format(error=error)], capture_output=True,
+                          text=True, env=environment())
+    assert done.returncode == code
+    assert ('Traceback' in done.stderr) == (code == 1)
+
+
+def python(text: str, **more: str) -> tuple[subprocess.CompletedProcess, float]:
+    begun = time.monotonic()
+    done = subprocess.run([sys.executable, '-c', text], capture_output=True, text=True,
+                          env={**environment(), **more}, timeout=60.0)
+    return done, time.monotonic() - begun
+
+
+def test_a_process_stuck_outside_python_is_ended_and_says_where():
+    done, took_s = python('import ctypes\nfrom rvd_dynamics.lifeline import leave_within\n'
+                          'leave_within(0.3)\nctypes.PyDLL(None).sleep(50)\n')
+    assert done.returncode == 1 and took_s < 20.0
+    assert 'Timeout' in done.stderr and 'line 4' in done.stderr
+
+
+def test_a_node_whose_parent_has_gone_does_not_start():
+    done, _ = python('from rvd_dynamics.lifeline import hold\nhold()\nprint("flies")\n',
+                     RVD_PARENT='4194303')
+    assert done.returncode == 1 and 'flies' not in done.stdout
+    assert 'process 4194303, which started this one, has gone' in done.stderr
