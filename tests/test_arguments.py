@@ -16,7 +16,7 @@ BAD = {
     'pace in words': (['fly', '--pace', 'brisk'], 'brisk'),
     'pace not positive': (['fly', '--pace', '0'], 'pace_factor must be between'),
     'pace not a number': (['fly', '--pace', 'nan'], 'pace_factor must be between'),
-    'negative seed': (['fly', '--seed', '-1'], 'seed must not be negative'),
+    'negative seed': (['fly', '--seed', '-1'], 'seed must be between 0 and 9223372036854775807, got -1'),
     'seed not whole': (['fly', '--seed', '1.5'], '1.5'),
     'replay without tape': (['fly', '--operator', 'replay'], '--tape'),
     'tape without replay': (['fly', '--operator', 'model', '--tape', 'x'], '--operator replay'),
