@@ -105,8 +105,10 @@ def test_a_node_that_hangs_after_the_flight_does_not_take_the_verdict_with_it(mo
     monkeypatch.setattr(fly, 'END_S', 0.1)
     flight = object.__new__(fly.Flight)
     flight._headless, flight._on_line = True, False
+    flight._roster = SimpleNamespace(diagram=SimpleNamespace(externals=()))
     flight._supervisor = SimpleNamespace(pids={'a': 1, 'link_forward': 2}, codes={'a': 0},
-                                         ended=False, failures=dict)
+                                         ended=False, failures=dict,
+                                         end_if_left=lambda names: None)
     flight._watch = SimpleNamespace(spin=lambda s: time.sleep(0.01), new_events=list, steps=1)
     flight._wait_for_the_nodes()
     assert 'link_forward did not end after the flight' in capsys.readouterr().err

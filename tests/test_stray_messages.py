@@ -22,7 +22,7 @@ def test_a_node_in_real_time_answers_after_a_message_from_beyond_the_run(step, t
         commands = hand.listen('/ground/auto_command', ThrustCommand)
         topic = '/ground/prediction'
         sender = hand.node.create_publisher(RelativeState, topic, qos.of(topic))
-        hand.start('auto_controller', package='rvd_groundstation')
+        hand.start('auto_controller', '-p', 'nodes:=[auto_controller]', package='rvd_groundstation')
         hand.until(lambda: sender.get_subscription_count() > 0, 'the node')
         for k in (step, step, 0):
             sender.publish(RelativeState(step=k))

@@ -278,7 +278,7 @@ def test_a_bag_of_a_mission_that_is_not_installed_may_be_cut_off(tmp_path):
 
 @pytest.mark.parametrize('text, why', [
     ('', 'holds no scenario'), ('not: [yaml', 'not valid YAML'),
-    ('/*: {ros__parameters: {mission: tether}}', r'names no mission, and lunar_approach has no node /\*'),
+    ('/*: {ros__parameters: {mission: tether}}', r'names no mission, and lunar_approach has no node \*'),
     ('arm: {ros__parameters: {a: 1}}', 'names no mission, and lunar_approach has no node arm'),
     ('/**: {ros__parameters: {seed: 1}}\narm: {ros__parameters: {a: 1}}', 'no node arm'),
     ('{}', 'names no mission and holds nothing'),

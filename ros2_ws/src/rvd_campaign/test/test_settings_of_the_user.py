@@ -7,6 +7,7 @@ import sys
 
 import pytest
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_campaign.report.attempt import attempt
 
 DRAW = """
@@ -79,7 +80,7 @@ def failing(error):
 
 def test_report_that_cannot_be_made_says_how_to_make_it_again(tmp_path, capsys):
     run, log = tmp_path / 'a run', tmp_path / 'report.log'
-    attempt(failing(ValueError('cannot write x')), run, log)
+    attempt(failing(BadInput('cannot write x')), run, log)
     assert capsys.readouterr().err.splitlines() == [
         'rvd: no report: cannot write x', f"rvd: make it again with ./rvd report '{run}'"]
     assert not log.exists()

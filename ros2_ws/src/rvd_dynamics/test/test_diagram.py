@@ -9,6 +9,7 @@ import pytest
 import toys
 from toys import GUARD, HERE, number, PLANT, SENSOR, THRUST, TRUTH, watcher
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram import in_process, mission as missions, streams
 from rvd_dynamics.diagram.block import (
     Block, External, GROUND, held, last, Leg, LINK, now, ONBOARD, Read, WATCH, WORLD)
@@ -453,7 +454,7 @@ def test_parts_are_made_once_and_anew_for_a_changed_scenario():
 def test_a_part_that_does_not_fit_is_refused_as_soon_as_the_scenario_is_read():
     def fits(common, run):
         if common.radius_m > run.timeout_s:
-            raise ValueError(f'common.radius_m must be at most {run.timeout_s:g}')
+            raise BadInput(f'common.radius_m must be at most {run.timeout_s:g}')
 
     toys.fits = fits
     one = toys.mission(parts={'fits': f'{HERE}:fits'}, checked=('fits',))

@@ -58,7 +58,8 @@ LOOP = {
         'world', *(f'recording/{name}.py' for name in (     # of these, what reads a tape
             '__init__', 'mcap_file', 'messages', 'params', 'rosbag2', 'sqlite_file',
             'whole'))),
-    'rvd_groundstation': ('guidance', 'operators', 'prediction', 'settings.py', 'sharing')}
+    'rvd_groundstation': (
+        'guidance', 'joystick/__init__.py', 'joystick/params.py', 'operators', 'prediction', 'settings.py', 'sharing')}
 NO_LOOP = ('diagram/display', 'diagram/ros', 'diagram/roster.py')   # left out of the above
 
 

@@ -147,7 +147,7 @@ class Host:
         other = self._others()
         if other:
             domain = self._lead.context.get_domain_id()
-            self.fail(self._lead, ValueError(
+            self.fail(self._lead, BadInput(
                 f'another run is in ROS_DOMAIN_ID={domain}: {other}; give each run its own'))
             return
         if waits:
