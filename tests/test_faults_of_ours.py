@@ -57,10 +57,16 @@ def python(text: str, **more: str) -> tuple[subprocess.CompletedProcess, float]:
 
 
 def test_a_process_stuck_outside_python_is_ended_and_says_where():
-    done, took_s = python('import ctypes\nfrom rvd_dynamics.lifeline import leave_within\n'
-                          'leave_within(0.3)\nctypes.PyDLL(None).sleep(50)\n')
+    done, took_s = python('import ctypes\nfrom rvd_dynamics.lifeline import leaving\n'
+                          'with leaving(0.3):\n    ctypes.PyDLL(None).sleep(50)\n')
     assert done.returncode == 1 and took_s < 20.0
     assert 'Timeout' in done.stderr and 'line 4' in done.stderr
+
+
+def test_one_that_leaves_in_time_is_let_be():
+    done, _ = python('import time\nfrom rvd_dynamics.lifeline import leaving\n'
+                     'with leaving(0.3):\n    pass\ntime.sleep(1.0)\n')
+    assert done.returncode == 0 and not done.stderr
 
 
 def test_a_node_whose_parent_has_gone_does_not_start():

@@ -10,6 +10,8 @@ import faulthandler
 import os
 import signal
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 
 PARENT = 'RVD_PARENT'           # environment: process id of who has started this one
 LEAVE_S = 5.0                   # [s] wall time to leave the graph: it takes milliseconds
@@ -39,9 +41,10 @@ def hold() -> None:
                      'has gone')
 
 
-def leave_within(seconds: float = LEAVE_S) -> None:
+@contextmanager
+def leaving(seconds: float = LEAVE_S) -> Iterator[None]:
     """
-    End this process by force, with code 1, if it has not left the graph in time.
+    End this process by force, with code 1, if what is done meanwhile is not done in time.
 
     Of some hundred processes that leave it at one time, one hangs in Fast DDS 2.14: a thread that
     takes notice of another participant's end waits for a lock that the deletion of this one holds,
@@ -49,3 +52,7 @@ def leave_within(seconds: float = LEAVE_S) -> None:
     Python; it writes where the process was.
     """
     faulthandler.dump_traceback_later(seconds, exit=True, file=sys.__stderr__)
+    try:
+        yield
+    finally:
+        faulthandler.cancel_dump_traceback_later()

@@ -277,9 +277,9 @@ class Host:
                     time.sleep(0.02)
         for node in self.nodes.values():
             node.close()
-        lifeline.leave_within()
-        for node in self.nodes.values():
-            node.destroy_node()
+        with lifeline.leaving():
+            for node in self.nodes.values():
+                node.destroy_node()
 
     def _recorder_is_here(self) -> bool:
         readers = self._lead.get_subscriptions_info_by_topic('/run/end')
@@ -332,4 +332,5 @@ def run(make: Callable[[Host], None], arguments: Arguments, argv: list[str]) -> 
     finally:
         if host is not None:
             host.close()
-        rclpy.try_shutdown()
+        with lifeline.leaving():
+            rclpy.try_shutdown()
