@@ -80,12 +80,17 @@ def test_a_damaged_chunk_ends_the_file_or_is_refused_by_name(path, compression, 
 
 
 @pytest.mark.parametrize('data, encoding', [
-    (b'', 'ros2msg'), (b'\xff' * 7, 'ros2msg'), (cdr('x'), 'ros2idl')])
+    (b'', 'ros2msg'), (b'\xff' * 7, 'ros2msg'), (b'\xff' * 7, 'ros2idl')])
 def test_bytes_that_are_none_of_their_type_are_refused_by_topic_and_number(path, data, encoding):
     path.write_bytes(content([('/a', cdr('x')), ('/a', data)], encoding=encoding))
     last = list(MessageFile(path))[-1]
     with pytest.raises(ValueError, match='a.mcap, /a message 2: cannot be decoded: .'):
         last.message
+
+
+def test_a_type_of_ros_itself_needs_no_definition_that_can_be_read(path):
+    path.write_bytes(content([('/a', cdr('x'))], encoding='ros2idl'))
+    assert [m.message.data for m in MessageFile(path)] == ['x']
 
 
 def test_the_parts_of_a_long_bag_come_as_they_were_recorded(tmp_path):

@@ -24,7 +24,8 @@ def graph():
 /**: {ros__parameters: {pace: realtime, operator: joy, joy_input: held}}
 joystick: {ros__parameters: {deadzone: 0.1, autorepeat_rate: 50.0}}
 """, 'driven')
-    node = Joystick(Host(SimpleNamespace(name='joystick', scenario=scenario, text=lambda: '')))
+    node = Joystick(Host(SimpleNamespace(name='joystick', scenario=scenario,
+                                          text=lambda: '', run_id='/')))
     listener = rclpy.create_node('listener')
     joys, events = [], []
     listener.create_subscription(Joy, '/joy', joys.append, qos_profile_sensor_data)

@@ -56,7 +56,7 @@ class Checkout:
         self.root = folder.resolve()
         if not (self.root / 'rvd').is_file() or not (self.root / '.rvd' / 'done').is_file():
             raise BadInput(f'--before {folder} must be a checkout of the project that is set up: '
-                             f'git worktree add {folder} COMMIT && {folder}/rvd setup')
+                           f'git worktree add {folder} COMMIT && {folder}/rvd setup')
 
     def command(self, *arguments: object) -> list[str]:
         """Return a call of its `./rvd`."""
@@ -135,4 +135,4 @@ class BringUp:
                 self._process.wait()
         if failed or not self.pids():
             raise BadInput(f'the flight of the other checkout failed: {failed or ""} '
-                             f'{self._said.read_text().strip()[-300:]}')
+                           f'{self._said.read_text().strip()[-300:]}')

@@ -55,7 +55,7 @@ def fly_once(command: tuple[str, ...] = COMMAND) -> dict:
         wall, ended = time.monotonic() - clock, time.time()
         if done.returncode not in (0, 1):
             raise BadInput(f'the flight ended with code {done.returncode}: '
-                             f'{done.stderr.strip()}')
+                           f'{done.stderr.strip()}')
         truths = published(run)
         judged = (run / 'verdict.json').stat().st_mtime
     return {'wall_s': round(wall, 2), 'steps': len(truths),

@@ -152,7 +152,7 @@ def fit_success(bench: Bench, pilot: PilotParams, name: str) -> tuple[PilotParam
               0.5 / bench.runs)
     if at is None:
         raise BadInput(f'no {name} between {exp(low):.3g} and {exp(high):.3g} gives a success '
-                         f'rate of {TARGET[0]:g}')
+                       f'rate of {TARGET[0]:g}')
     return _with(pilot, name, exp(at)), seen[at]
 
 

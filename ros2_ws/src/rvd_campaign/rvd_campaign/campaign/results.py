@@ -148,7 +148,7 @@ def condition_table(folder: Path, stretches: list[Stretch], condition: int, runs
     order = order[table['run'][order] < runs]
     if not np.array_equal(table['run'][order], np.arange(runs)):
         raise BadInput(f'{folder}: the parts of condition {condition} do not hold each run '
-                         'once')
+                       'once')
     return {name: values[order] for name, values in table.items()}
 
 

@@ -57,7 +57,7 @@ def wilson(successes: int, runs: int) -> Interval:
     """
     if not 0 <= successes <= runs or runs < 1:
         raise BadInput(f'successes must be 0 to runs, runs at least 1, got {successes} of '
-                         f'{runs}')
+                       f'{runs}')
     from scipy.stats import binomtest
     found = binomtest(successes, runs).proportion_ci(confidence_level=0.95, method='wilson')
     return Interval(float(found.low), float(found.high))

@@ -46,7 +46,7 @@ def _own(run: Recording) -> dict[str, Figure]:
             str(name).isidentifier() and isinstance(figure, Figure)
             for name, figure in own.items()):
         raise BadInput(f'mission {mission.name}: {mission.figures} must be a dict of Figure by '
-                         'plain names')
+                       'plain names')
     return own
 
 

@@ -110,7 +110,7 @@ class Block:
     def __post_init__(self) -> None:
         if self.segment not in SEGMENTS:
             raise BadInput(f'block {self.name}: segment must be one of {", ".join(SEGMENTS)}, '
-                             f'got {self.segment!r}')
+                           f'got {self.segment!r}')
         if self.period < 1:
             raise BadInput(f'block {self.name}: period must be at least 1, got {self.period}')
         put = object.__setattr__

@@ -69,7 +69,7 @@ def made(name: str, available: Callable[[str], Any], owner: str) -> Any:
         except LookupError:
             if parameter.default is inspect.Parameter.empty:
                 raise BadInput(f'{owner}: {name} needs {parameter.name!r}, which neither the '
-                                 'scenario nor the mission has') from None
+                               'scenario nor the mission has') from None
     return loaded(name)(**arguments)
 
 

@@ -133,8 +133,8 @@ def check(scenario: Scenario) -> None:
                 outside = ', '.join(external.name for external in diagram.externals
                                     if read.signal.name in external.writes)
                 raise BadInput(f'{_operator(scenario)}{block.name} reads {read.signal.name} '
-                                 f'from {outside}, which takes a graph and a wall clock: in one '
-                                 'process only blocks take part')
+                               f'from {outside}, which takes a graph and a wall clock: in one '
+                               'process only blocks take part')
         for name in needs(block.make, f'block {block.name}'):
             if name in scenario.mission.parts:
                 scenario.part(name)
@@ -351,7 +351,7 @@ def _recorded(diagram: Any, record: bool | Sequence[str]) -> dict[str, frozenset
         signal, _, part = name.partition('.')
         if signal not in diagram.signals:
             raise BadInput(f'no signal {signal} to record; there are: '
-                             f'{", ".join(diagram.signals)}')
+                           f'{", ".join(diagram.signals)}')
         kept[signal] = kept.get(signal, frozenset()) | ({part} if part else frozenset())
     return kept
 

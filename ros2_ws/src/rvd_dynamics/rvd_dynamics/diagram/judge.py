@@ -44,10 +44,10 @@ class Measure:
     def __post_init__(self) -> None:
         if not self.name.isidentifier() or not self.name.endswith(_suffix(self.unit)):
             raise BadInput(f'measure {self.name!r} must be a plain word that ends in its unit, '
-                             f'{_suffix(self.unit)!r}')
+                           f'{_suffix(self.unit)!r}')
         if self.low >= self.high:
             raise BadInput(f'measure {self.name}: no value lies between the limits {self.low:g} '
-                             f'and {self.high:g}')
+                           f'and {self.high:g}')
 
     def ok(self, value: ArrayLike) -> NDArray[np.bool_]:
         """Return whether each value breaks no limit; an unknown one breaks every limit."""

@@ -126,7 +126,7 @@ def find(name: str) -> Mission:
     points = installed()
     if name not in points:
         raise BadInput(f'no mission {name!r} is installed; there are: '
-                         f'{", ".join(points) or "none"} (RVD_OVERLAY names further prefixes)')
+                       f'{", ".join(points) or "none"} (RVD_OVERLAY names further prefixes)')
     try:
         mission = points[name].load()
     except (ImportError, AttributeError) as error:

@@ -194,7 +194,7 @@ def read_transits(path: str) -> NDArray[np.float64]:
         header_allowed = False
         if transit is None or not 0.0 <= transit <= LONGEST_S:
             raise BadInput(f'{path}, line {number}: a transit must be a number of seconds '
-                             f'between 0 and {LONGEST_S:g}, got {text!r}')
+                           f'between 0 and {LONGEST_S:g}, got {text!r}')
         transits.append(transit)
     if not transits:
         raise BadInput(f'{path}: no transit in the file')

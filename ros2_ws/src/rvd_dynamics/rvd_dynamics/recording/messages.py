@@ -78,8 +78,8 @@ class Source:
         made = factory.decoder_for(self.encoding, schema)
         if made is None:
             raise BadInput(f'needs a ros2msg schema and cdr, has '
-                             f'{self._schema.encoding if self._schema else "no"} schema and '
-                             f'{self.encoding}')
+                           f'{self._schema.encoding if self._schema else "no"} schema and '
+                           f'{self.encoding}')
         return made
 
     def decoded(self, data: bytes, number: int) -> Any:
@@ -95,7 +95,7 @@ class Source:
             return self._decoder(data)
         except Exception as error:              # whatever made-up bytes or schemas lead to
             raise BadInput(f'{self.path}, {self.topic} message {number}: cannot be decoded: '
-                             f'{str(error) or type(error).__name__}') from None
+                           f'{str(error) or type(error).__name__}') from None
 
 
 def _standard(kind: str) -> Schema | None:
@@ -134,7 +134,7 @@ def unpacked(data: bytes, source: Source) -> bytes:
         return zstandard.ZstdDecompressor().decompressobj().decompress(data)
     except zstandard.ZstdError as error:
         raise BadInput(f'{source.path}, {source.topic} message {source.count}: cannot be '
-                         f'unpacked: {error}') from None
+                       f'unpacked: {error}') from None
 
 
 class MessageFile:

@@ -208,7 +208,7 @@ class Table(Series):
             for m in messages:
                 if m.layout != layout or len(m.values) != width:
                     raise BadInput(f'step {m.step}: {len(m.values)} values of layout '
-                                     f'{m.layout!r} where {width} of {layout!r} began')
+                                   f'{m.layout!r} where {width} of {layout!r} began')
             numbers, at = _table(lambda m: m.values, messages, width), 0
             for name, shape in shapes.items():
                 size = int(np.prod(shape, dtype=int))

@@ -46,12 +46,12 @@ def check_bind(bind: str, certificate: str, key: str) -> None:
     """
     if bind in ('', '0.0.0.0', '::'):
         raise BadInput(f'the console cannot bind to {bind or "nothing"}: give the one address '
-                         'or name that pages will open, and TLS (--tls-cert, --tls-key)')
+                       'or name that pages will open, and TLS (--tls-cert, --tls-key)')
     if bind in ('127.0.0.1', '::1', 'localhost'):
         return
     if not (certificate and key):
         raise BadInput(f'the console binds to 127.0.0.1 only: {bind} can be reached by others '
-                         'and needs TLS, give a certificate and a key (--tls-cert, --tls-key)')
+                       'and needs TLS, give a certificate and a key (--tls-cert, --tls-key)')
 
 
 @dataclass(frozen=True)

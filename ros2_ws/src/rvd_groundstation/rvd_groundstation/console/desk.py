@@ -93,7 +93,7 @@ def read_session(path: Path) -> Session:
         mode = body.get('mode') if isinstance(body, dict) and set(body) == {'mode'} else None
         if not str(name).isidentifier() or mode not in MODES:
             raise BadInput(f'session {path}: condition {name!r} must be a plain word with '
-                             f'mode: {", ".join(MODES)}')
+                           f'mode: {", ".join(MODES)}')
         modes[str(name)] = mode
     tlx = tree.get('tlx', 'raw')
     if tlx not in TLX_KINDS:
@@ -110,7 +110,7 @@ def _whole(path: Path, tree: dict, key: str, default: int, most: int) -> int:
     value = tree.get(key, default)
     if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value <= most:
         raise BadInput(f'session {path}: {key} must be a whole number up to {most}, '
-                         f'got {value!r}')
+                       f'got {value!r}')
     return value
 
 

@@ -54,8 +54,8 @@ def _only(scenario: Scenario, what: str, found: list[Signal]) -> Signal:
     names = sorted({signal.name for signal in found})
     if len(names) != 1:
         raise BadInput(f'mission {scenario.mission.name} has no display, and its ground '
-                         f'{what} is {" or ".join(names) or "not there"}: its display must say '
-                         'what is shown')
+                       f'{what} is {" or ".join(names) or "not there"}: its display must say '
+                       'what is shown')
     return found[0]
 
 

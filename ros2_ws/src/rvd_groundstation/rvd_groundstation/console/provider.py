@@ -170,9 +170,9 @@ def _check(mission: str, provider: MissionDisplay, known: Mapping[str, Signal]) 
     wanted = {*display.parts(), *provider.derives_from} - {DERIVED, TRUTH, PILOT}
     for topic in sorted(wanted - set(known)):
         raise BadInput(f'mission {mission}: its display shows {topic}, which is not on the '
-                         f'ground; there are: {", ".join(sorted(known))}')
+                       f'ground; there are: {", ".join(sorted(known))}')
     for field, topic, kinds in (('measured', display.measured, (FRAME,)),
                                 ('commands.sent', display.commands.sent, tuple(COMMANDS))):
         if known[topic].message not in kinds:
             raise BadInput(f'mission {mission}: its display has {topic} as {field}, which must '
-                             f'be a {" or ".join(kinds)}, not a {known[topic].message}')
+                           f'be a {" or ".join(kinds)}, not a {known[topic].message}')

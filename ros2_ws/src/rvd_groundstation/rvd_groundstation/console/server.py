@@ -52,7 +52,7 @@ class Address:
             context.load_cert_chain(self.tls_cert, self.tls_key)
         except OSError as error:
             raise BadInput(f'cannot load the TLS certificate {self.tls_cert} with the key '
-                             f'{self.tls_key}: {error}') from None
+                           f'{self.tls_key}: {error}') from None
         return context
 
 
@@ -88,7 +88,7 @@ class Server:
                 ssl_handshake_timeout=ASK_S if context else None)
         except OSError as error:
             raise BadInput(f'the console cannot listen on {self._address.bind}:'
-                             f'{self._address.port}: {error.strerror}') from None
+                           f'{self._address.port}: {error.strerror}') from None
         port = self._listener.sockets[0].getsockname()[1]
         self.access = Access(self._token, self._address.bind, port, context is not None)
         self._tasks = [asyncio.create_task(self.hub.pump()),

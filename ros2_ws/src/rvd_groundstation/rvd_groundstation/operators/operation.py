@@ -47,5 +47,5 @@ def checked(operation: Operation, run: Run) -> Operation:
     """
     if operation.joy_input == 'held' and run.pace == 'lockstep':
         raise BadInput('joy_input held needs pace realtime: lock step has no wall clock '
-                         'by which a stick could be held')
+                       'by which a stick could be held')
     return operation

@@ -90,7 +90,7 @@ def read_tape(path: str | Path, topic: str = TOPIC) -> Tape:
             return _read_bag(path, topic)
         if topic != TOPIC:
             raise BadInput(f'{path}: a topic ({topic}) can be picked from a bag only: CSV has '
-                             'none')
+                           'none')
         if path.suffix == '.bag':
             raise BadInput(
                 f'{path}: a bag of ROS 1; convert it with: ./rvd shell rosbags-convert --src '
@@ -124,7 +124,7 @@ class _Samples:
             what = 'time must rise' if stamps_ns[at] <= stamps_ns[at - 1] else (
                 f'time must rise by at most {LONGEST_GAP_NS / NS_PER_S:g} s')
             raise BadInput(f'{self._wheres[at]}: {what}, got {stamps_ns[at] / NS_PER_S:.12g} s '
-                             f'after {stamps_ns[at - 1] / NS_PER_S:.12g} s')
+                           f'after {stamps_ns[at - 1] / NS_PER_S:.12g} s')
         return Tape(tuple(t - stamps_ns[0] for t in stamps_ns), tuple(self._axes),
                     tuple(self._buttons), note)
 
@@ -178,8 +178,8 @@ def _text_of(path: Path) -> str:
         return data.decode('utf-8-sig')
     except UnicodeDecodeError as error:
         raise BadInput(f'{path}, line {data.count(10, 0, error.start) + 1}: the byte '
-                         f'0x{data[error.start]:02x} is not UTF-8: save the tape as "CSV UTF-8"'
-                         ) from None
+                       f'0x{data[error.start]:02x} is not UTF-8: save the tape as "CSV UTF-8"'
+                       ) from None
 
 
 def _axes_of(header: list[str], where: str) -> int:
@@ -196,7 +196,7 @@ def _axes_of(header: list[str], where: str) -> int:
                 *(f'button_{i}' for i in range(len(header) - 1 - axes))]
     if header != expected or axes == 0:
         raise BadInput(f'{where}: the header must be t_s,axis_0,...,button_0,..., '
-                         f'got {",".join(header)}')
+                       f'got {",".join(header)}')
     return axes
 
 
@@ -254,4 +254,4 @@ def _choice(sources: list['Source']) -> str:
 def _check_type(file: Path, source: 'Source') -> None:
     if (source.kind, source.encoding) != (MESSAGE, 'cdr'):
         raise BadInput(f'{file}: {source.topic} must be {MESSAGE} in cdr, got '
-                         f'{source.kind or "no schema"} in {source.encoding}')
+                       f'{source.kind or "no schema"} in {source.encoding}')

@@ -269,7 +269,7 @@ def main(args: Sequence[str] | None = None) -> None:
         scenario, runs = load(options.scenario), range(options.runs)
         if scenario.mission is not MISSION:
             raise BadInput(f'{options.scenario} must be of mission {MISSION.name}, got '
-                             f'{scenario.mission.name}')
+                           f'{scenario.mission.name}')
         check(scenario)
         found = ceiling(scenario, runs, 0 if options.warm else None)
     except BadInput as error:

@@ -111,7 +111,7 @@ class Judge:
         """
         if self._step < 0 or step != self._step + 1:
             raise BadInput(f'a judge needs every step in order: got {step} '
-                             f'after {self._step if self._step >= 0 else "none"}')
+                           f'after {self._step if self._step >= 0 else "none"}')
         self._step = step
         start, self._state = self._state, self._columns(state, 6)
         accel = np.abs(self._columns(accel, 3))

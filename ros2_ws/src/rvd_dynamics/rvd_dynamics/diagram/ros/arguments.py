@@ -85,7 +85,7 @@ class Arguments:
             return self.name if own and scenario.has_key(self.name, key) else SHARED
         if node != SHARED and node not in scenario.mission.sections:
             raise BadInput(f'-p {node}:{key}: no node {node!r} has parameters of its own'
-                             + nearest(node, scenario.mission.sections))
+                           + nearest(node, scenario.mission.sections))
         return node
 
     def _title(self) -> str:

@@ -55,10 +55,10 @@ def wanted(host: Host, arguments: Arguments) -> tuple[str, ...]:
     legs = [block.name for block in roster.diagram.blocks if isinstance(block, Leg)]
     if arguments.executable == LEG_EXECUTABLE and arguments.name not in legs:
         raise BadInput(f'a link must be named {" or ".join(legs)}, not {arguments.name!r}: add '
-                         f'--ros-args -r __node:={legs[0]}')
+                       f'--ros-args -r __node:={legs[0]}')
     if arguments.name not in roster.blocks and arguments.name not in roster.watchers:
         raise BadInput(f'mission {host.scenario.mission.name} has no node {arguments.name!r} in '
-                         f'this scenario; it has {", ".join((*roster.blocks, *roster.watchers))}')
+                       f'this scenario; it has {", ".join((*roster.blocks, *roster.watchers))}')
     return (arguments.name,)
 
 

@@ -48,7 +48,7 @@ class MissionMonitor(RunNode):
     def _on_truth(self, step: int, truth: Any) -> None:
         if step != self.step + 1:
             raise BadInput(f'truth jumps from step {self.step} to {step}: a run with a gap '
-                             'cannot be judged')
+                           'cannot be judged')
         self.step = step
         self._judge.follow(step, truth)
         now = time.monotonic()

@@ -89,7 +89,7 @@ class PlantNode(BlockNode):
         name, run = who_is_ready(words, self.host.run_id)
         if run != self.host.run_id:             # both had begun before they met
             raise BadInput(f'another run has come into ROS_DOMAIN_ID='
-                             f'{self.context.get_domain_id()}: {in_words(run)}; give each run its own')
+                           f'{self.context.get_domain_id()}: {in_words(run)}; give each run its own')
         self._waiting_for.discard(name)
         if self._waiting_for or self._started:
             return
