@@ -140,7 +140,7 @@ BAD = {
     'unknown condition': ('conditions: {a: {}, b: {}}\ncompare: [[a, c]]', "no condition 'c'"),
     'own seed': ('set: {/**: {seed: 3}}', 'seed belongs to the campaign'),
     'wall clock': ('set: {/**: {operator: joy, joy_input: held, pace: realtime}}',
-                   'condition all: operator joy: command_blender reads /joy from joy_node, which '
+                   'condition all: operator joy: command_blender reads /joy from joystick, which '
                    'takes a graph and a wall clock'),
     'own mission': ('set: {/**: {mission: lunar_approach}}', 'mission belongs to the campaign'),
     'own processes': ('conditions: {a: {/**: {processes: one}}}',

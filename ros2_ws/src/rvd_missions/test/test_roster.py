@@ -143,9 +143,13 @@ def test_every_node_has_one_process_and_externals_have_their_own(run):
 
 def test_the_bring_up_gets_one_line_a_process_that_a_shell_can_read(run):
     roster = whole(run)
-    for process, line in zip(roster.processes, lines(roster, '/run/with a blank', '/rvd/here/run_1'),
-                             strict=True):
+    made = lines(roster, '/run/with a blank', '/rvd/here/run_1')
+    processes = {process.name: process for process in roster.processes}
+    assert [line.split()[0] for line in made][-1] == roster.process_of['bag_recorder']
+    assert sorted(line.split()[0] for line in made) == sorted(processes)
+    for line in made:
         name, package, executable, *arguments = shlex.split(line)
+        process = processes[name]
         assert (name, package, executable) == process[:3]
         assert arguments[arguments.index('--enclave') + 1] == '/rvd/here/run_1'
         assert f'nodes:=[{",".join(roster.names)}]' in arguments
