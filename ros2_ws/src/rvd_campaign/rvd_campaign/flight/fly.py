@@ -169,6 +169,7 @@ class Flight:
         self._headless = headless
         self._stop_asked = stop_asked
         self._run_id = new_run()
+        self._fault = False                     # of this software: not what it was given
         self._supervisor = Supervisor(
             catalogue.root() / 'scripts' / 'bringup.sh', run_dir / 'scenario.yaml', run_dir,
             headless, domain, self._roster, self._run_id)
@@ -200,8 +201,7 @@ class Flight:
         if problem is not None:
             print(f'rvd fly: {problem}', file=sys.stderr)
             print(f'rvd fly: logs are in {self._run_dir / "logs"}', file=sys.stderr)
-            # Code 1 is a traceback, which is in the node's log.
-            return EXIT_FAULT if 1 in self._supervisor.failures().values() else EXIT_CANNOT
+            return EXIT_FAULT if self._fault else EXIT_CANNOT
         last, links = self._outcome()
         judged = verdict.outcome(last, interrupted)
         content = verdict.as_dict(judged, links, self._scenario)
@@ -224,7 +224,8 @@ class Flight:
                 self._wait_for_the_nodes()
                 return None
             failures = self._supervisor.failures()
-            if failures:
+            if failures:                        # code 1 is a traceback, in the node's log
+                self._fault = 1 in failures.values()
                 return self._why(failures)
             if self._supervisor.ended:
                 if self._is_final(self._outcome()[0]):
