@@ -47,7 +47,13 @@ def start(folder: Path, mark: str, *options: str) -> subprocess.Popen:
     return subprocess.Popen(
         [ROOT / 'rvd', 'fly', 'hand', '--out', str(folder), *options],
         stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
-        start_new_session=True, env={**os.environ, MARK: mark})
+        start_new_session=True, preexec_fn=_hear_signals, env={**os.environ, MARK: mark})
+
+
+def _hear_signals() -> None:
+    """A test run in the background, or under nohup, hands on that these are ignored."""
+    for number in (signal.SIGINT, signal.SIGHUP):
+        signal.signal(number, signal.SIG_DFL)
 
 
 def ends(flights: dict[str, subprocess.Popen], end, patience_s: float = GONE_S) -> None:
