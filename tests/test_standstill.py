@@ -10,7 +10,6 @@ from runs import end, pids_under, start_rvd, states, verdict_of, wait_for
 STILL_S = 12.0                  # [s] longer than the 10 s without a step that a run is granted
 SCENARIO = """/**:
   ros__parameters:
-    pace: realtime
     processes: segments
     timeout_s: 12.0
 """
@@ -20,8 +19,8 @@ SCENARIO = """/**:
 @pytest.mark.parametrize('who', ['the command', 'the computer'])
 def test_a_run_that_stood_still_flies_to_its_end(tmp_path, who):
     (tmp_path / 's.yaml').write_text(SCENARIO)
-    process = start_rvd('fly', str(tmp_path / 's.yaml'), '--out', str(tmp_path / 'run'),
-                        cwd=tmp_path)
+    process = start_rvd('fly', str(tmp_path / 's.yaml'), '--pace', 'realtime',
+                        '--out', str(tmp_path / 'run'), cwd=tmp_path)
     try:
         wait_for(lambda: 'range' in (tmp_path / 'out').read_text(), 'the first steps')
         stopped = [process.pid, *(pids_under(process.pid) if who == 'the computer' else ())]

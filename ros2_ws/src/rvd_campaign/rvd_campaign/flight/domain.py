@@ -4,7 +4,7 @@ A DDS domain id for each run, so that runs side by side do not hear each other.
 A run holds its id by a lock on a file in a folder that only its user can write to; the file says
 who holds it. Other users have folders of their own: an id is only chosen where nobody on this
 machine uses its ports, and two runs that meet all the same tell each other apart (see
-`rvd_dynamics.diagram.ros.identity`).
+`rvd_dynamics.diagram.identity`).
 """
 
 from collections.abc import Iterator
