@@ -8,8 +8,11 @@ import sys
 import time
 from pathlib import Path
 
+from mcap.records import Channel, Message
 import numpy as np
 from rosbags.highlevel import AnyReader
+
+from rvd_dynamics.recording import mcap_file
 
 ROOT = Path(__file__).resolve().parents[1]
 STATE = ('x', 'y', 'z')
@@ -127,6 +130,20 @@ def wait_for(look, what: str, timeout: float = 30.0):
             return found
         time.sleep(0.05)
     raise AssertionError(f'{what} did not come in {timeout:g} s')
+
+
+def in_flight(run: Path, steps: int = 10) -> None:
+    """Wait until the bag of a run holds so many steps of the truth: until all of it flies."""
+    def flies() -> bool:
+        channels, seen = set(), 0
+        for path in run.glob('bag/*.mcap'):
+            for record in mcap_file.records(path):
+                if isinstance(record, Channel) and record.topic == '/truth/relative_state':
+                    channels.add(record.id)
+                elif isinstance(record, Message):
+                    seen += record.channel_id in channels
+        return seen >= steps
+    wait_for(flies, f'{steps} steps of the flight', 60.0)
 
 
 def end(process: subprocess.Popen) -> None:

@@ -6,7 +6,7 @@ import time
 
 import pytest
 from runs import (
-    alive, end, messages, node_pid, pids_under, start_rvd, verdict_of, wait_for)
+    alive, end, in_flight, messages, node_pid, pids_under, start_rvd, verdict_of, wait_for)
 
 from rvd_dynamics.recording.reader import read
 
@@ -26,14 +26,9 @@ def flying(tmp_path):
         end(process)
 
 
-def bag_grows(run, size=100_000):
-    return wait_for(lambda: sum(p.stat().st_size for p in run.glob('bag/*.mcap')) > size,
-                    'a bag under way')
-
-
 def test_ctrl_c_ends_every_process_and_leaves_a_readable_bag(flying, tmp_path):
     process = flying('--pace', '5')
-    bag_grows(tmp_path / 'run')
+    in_flight(tmp_path / 'run')
     nodes = pids_under(process.pid)
     assert len(nodes) >= 11
     process.send_signal(signal.SIGINT)
@@ -47,7 +42,7 @@ def test_ctrl_c_ends_every_process_and_leaves_a_readable_bag(flying, tmp_path):
 @pytest.mark.parametrize('victim', ['state_predictor', 'link_forward', 'spacecraft_dynamics'])
 def test_a_killed_node_is_named_and_the_run_ends_with_2(victim, flying, tmp_path):
     process = flying('--pace', '5')
-    bag_grows(tmp_path / 'run')
+    in_flight(tmp_path / 'run')
     os.kill(node_pid(process.pid, victim), signal.SIGKILL)
     assert process.wait(60.0) == 2
     assert f'{victim} was ended by signal 9' in (tmp_path / 'out').read_text()
@@ -61,7 +56,7 @@ def test_a_hung_node_is_named_and_the_run_ends_with_2(victim, scenario, flying, 
     """A stalled step in lock step: 10 s of patience, then the name of the node that owes it."""
     process = flying(scenario, '--pace', 'lockstep')
     pid = node_pid(process.pid, victim)
-    bag_grows(tmp_path / 'run', 200_000)
+    in_flight(tmp_path / 'run', 50)
     os.kill(pid, signal.SIGSTOP)
     assert process.wait(60.0) == 2
     said = (tmp_path / 'out').read_text()
@@ -89,7 +84,7 @@ def test_a_flight_that_nobody_watched_has_its_verdict(flying, tmp_path):
 @pytest.mark.slow
 def test_a_killed_recorder_loses_nothing_it_had_received(flying, tmp_path):
     process = flying('--pace', '5')
-    bag_grows(tmp_path / 'run')
+    in_flight(tmp_path / 'run')
     os.kill(node_pid(process.pid, 'bag_recorder'), signal.SIGKILL)
     assert process.wait(60.0) == 2
     recording = read(tmp_path / 'run')

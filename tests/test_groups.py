@@ -12,7 +12,7 @@ from mcap.records import Channel, Footer, Message, Schema
 import numpy as np
 import pytest
 from conftest import Flown
-from runs import alive, counts, end, node_pid, ROOT, start_rvd, verdict_of, wait_for
+from runs import alive, counts, end, in_flight, node_pid, ROOT, start_rvd, verdict_of, wait_for
 from test_by_hand import Hand
 from test_recording import columns
 from test_repeat import assert_equals_loop
@@ -250,8 +250,7 @@ def flying(tmp_path):
         process = start_rvd('fly', '--out', str(tmp_path / 'run'), '--headless', '--processes',
                             processes, *(args or ('--pace', '5')), cwd=tmp_path)
         started.append(process)
-        wait_for(lambda: sum(p.stat().st_size for p in (tmp_path / 'run').glob('bag/*.mcap'))
-                 > 100_000, 'a bag under way')
+        in_flight(tmp_path / 'run')
         return process
     yield start
     for process in started:

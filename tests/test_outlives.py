@@ -13,6 +13,7 @@ import uuid
 from pathlib import Path
 
 import pytest
+from runs import in_flight
 
 ROOT = Path(__file__).resolve().parents[1]
 GONE_S = 20.0                   # [s] the bring-up gives its processes 13 s before it kills them
@@ -105,9 +106,7 @@ def test_what_is_killed_inside_takes_the_rest_with_it(tmp_path, word):
     flight = start(tmp_path / 'run', mark)
 
     def end(_):
-        deadline = time.monotonic() + 30.0
-        while not (tmp_path / 'run' / 'bag').exists() and time.monotonic() < deadline:
-            time.sleep(0.05)
+        in_flight(tmp_path / 'run')
         os.kill(children_named(word, mark)[0], signal.SIGKILL)
     ends({mark: flight}, end)
     assert flight.returncode == 2
@@ -119,8 +118,7 @@ def test_both_supervisors_killed_at_once_leave_no_node(tmp_path):
     flight = start(tmp_path / 'run', mark)
 
     def end(_):
-        while not (tmp_path / 'run' / 'bag').exists():
-            time.sleep(0.05)
+        in_flight(tmp_path / 'run')
         above = [flight.pid, *children_named('scripts/bringup.sh', mark)]
         for pid in above:
             os.kill(pid, signal.SIGSTOP)        # neither sees the other go
@@ -136,8 +134,7 @@ def test_a_bring_up_by_hand_ends_all_when_one_fails(tmp_path):
         [ROOT / 'rvd', 'shell', ROOT / 'scripts' / 'bringup.sh', ROOT / 'scenarios' / 'hand.yaml',
          tmp_path / 'run'], stdout=subprocess.PIPE, text=True, env={**os.environ, MARK: mark})
     try:
-        while not (tmp_path / 'run' / 'bag').exists():
-            time.sleep(0.05)
+        in_flight(tmp_path / 'run')
         os.kill(children_named('state_predictor', mark)[0], signal.SIGKILL)
         said = bringup.communicate(timeout=GONE_S)[0].splitlines()
     finally:

@@ -100,8 +100,8 @@ def test_help_lists_the_commands_without_setting_up(project):
         done = rvd(project, *arguments)
         assert done.returncode == 0
         assert re.findall(r'^  (\w+) ', done.stdout, re.MULTILINE) == [
-            'fly', 'report', 'campaign', 'calibrate', 'list', 'bench', 'node', 'shell', 'test',
-            'setup', 'help']
+            'fly', 'report', 'campaign', 'calibrate', 'list', 'stick', 'bench', 'node', 'shell',
+            'test', 'setup', 'help']
     assert not (project / '.rvd').exists()
 
 

@@ -462,5 +462,18 @@ def test_what_is_broken_is_one_line_that_names_it(stranger, what, tmp_path):
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize('grouping', ['blocks', 'one'])
+def test_a_fault_in_its_code_is_told_from_bad_input(stranger, grouping, tmp_path):
+    with stranger.edited('one_axis/ground.py', 'command = self._form.quantise(wanted)',
+                         'command = self._form.quantise(wanted)[..., 7]'):
+        done = stranger.fly('--processes', grouping, '--out', tmp_path / 'run')
+    assert done.returncode == 3, done
+    node = 'one' if grouping == 'one' else 'controller'
+    log = (tmp_path / 'run' / 'logs' / f'{node}.log').read_text()
+    assert 'Traceback' in log and 'ground.py' in log and 'IndexError' in log
+    assert f'{node} ended with code 1' in done.stderr and 'IndexError' in done.stderr
+
+
+@pytest.mark.slow
 def test_all_this_has_touched_no_file_of_the_project(stranger, flights):
     assert project() == stranger.before

@@ -5,7 +5,7 @@ import re
 import signal
 
 import pytest
-from runs import end, messages, ROOT, rvd, start_rvd, wait_for
+from runs import end, in_flight, messages, ROOT, rvd, start_rvd, wait_for
 
 from rvd_campaign.flight.domain import reserved_domain
 from rvd_dynamics.diagram import identity
@@ -87,8 +87,7 @@ def test_a_run_that_comes_into_anothers_domain_ends_and_the_other_one_flies_on(
     first = start_rvd('fly', '--pace', '3', '--headless', '--seed', '3', '--out', 'first',
                       cwd=tmp_path)
     try:
-        bag = tmp_path / 'first' / 'bag'
-        wait_for(lambda: sum(f.stat().st_size for f in bag.glob('*.mcap')) > 100_000, 'the flight')
+        in_flight(tmp_path / 'first')
         other_user(monkeypatch, tmp_path / 'locks', domain)
         second = rvd('fly', '--pace', 'lockstep', '--headless', '--seed', '4', '--out', 'second',
                      cwd=tmp_path)

@@ -55,7 +55,7 @@ class FlightWatch:
         self.paused = False
         self._verdict = None
         self._events: list[Any] = []
-        self.steps = 0                          # truth messages looked at
+        self._steps = 0                         # truth messages looked at
         self.progress_at = time.monotonic()     # when the last one came
         for topic in filter(None, (self._truth, self._command, self._back)):
             self._subscribe(topic, lambda data, topic=topic: self._keep(topic, data), raw=True)
@@ -76,6 +76,16 @@ class FlightWatch:
         return self._roster.diagram.plant in self.ready
 
     @property
+    def steps(self) -> int:
+        """
+        How many messages of the truth were looked at.
+
+        One that was heard before its plant said that it is ready counts once it has: of a run that
+        hangs in its first steps nothing else may come.
+        """
+        return self._steps if self.begun else 0
+
+    @property
     def verdict(self) -> Any:
         """The last verdict of this run; None before the first."""
         return self._verdict if self.begun else None
@@ -94,11 +104,9 @@ class FlightWatch:
             self.ready.add(node)
 
     def _keep(self, topic: str, data: bytes) -> None:
-        if not self.begun:
-            return
         self._raw[topic] = data
         if topic == self._truth:
-            self.steps += 1
+            self._steps += 1
             self.progress_at = time.monotonic()
             time.sleep(GLANCE_S)                # what comes meanwhile replaces what came before
 
@@ -130,7 +138,7 @@ class FlightWatch:
     def line(self) -> str:
         """Return one line of progress: time, range and rate, limited measures, who decides, delay."""
         truth, command, back = map(self.newest, (self._truth, self._command, self._back))
-        if truth is None:
+        if truth is None or not self.begun:
             return ''
         words = [f't {truth.step * self._run.step_s:6.1f} s', *_motion(truth)]
         if self.verdict is not None:

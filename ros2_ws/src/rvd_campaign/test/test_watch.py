@@ -1,0 +1,57 @@
+"""What the command hears of a flight, from whatever moment on."""
+
+from pathlib import Path
+
+import pytest
+from rclpy.context import Context
+from rclpy.node import Node
+from rvd_campaign.flight.domain import reserved_domain
+from rvd_campaign.flight.watch import FlightWatch
+from rvd_dynamics.diagram.identity import new_run, ready_words
+from rvd_dynamics.diagram.ros import qos
+from rvd_dynamics.diagram.roster import Roster
+from rvd_dynamics.diagram.scenario import load
+from rvd_interfaces.msg import RelativeState
+from std_msgs.msg import String
+
+SCENARIOS = Path(__file__).resolve().parents[4] / 'scenarios'
+
+
+@pytest.fixture
+def domain(monkeypatch):
+    monkeypatch.delenv('ROS_DOMAIN_ID', raising=False)
+    with reserved_domain() as number:
+        yield number
+
+
+def spin_until(watch, look):
+    for _ in range(100):
+        watch.spin(0.1)
+        if look():
+            return
+    raise AssertionError('nothing was heard in 10 s')
+
+
+def test_a_step_heard_before_its_plant_said_that_it_is_ready_counts(domain):
+    """A run that hangs in its first steps sends no other: it must not seem never to have begun."""
+    run_id = new_run()
+    context = Context()
+    context.init(domain_id=domain)
+    plant = Node('spacecraft_dynamics', context=context)
+    watch = FlightWatch(Roster(load(SCENARIOS / 'paper.yaml')), domain, run_id)
+    try:
+        topic = '/truth/relative_state'
+        plant.create_publisher(RelativeState, topic, qos.LATCHED).publish(RelativeState(step=3))
+        spin_until(watch, lambda: watch.newest(topic))
+        assert watch.steps == 0 and not watch.line()
+        ready = plant.create_publisher(String, '/run/ready', qos.LATCHED)
+        ready.publish(String(data=ready_words('spacecraft_dynamics', new_run())))
+        watch.spin(0.5)
+        assert watch.steps == 0                 # that was the plant of another run
+        ready.publish(String(data=ready_words('spacecraft_dynamics', run_id)))
+        spin_until(watch, lambda: watch.begun)
+        assert watch.steps == 1 and watch.line()
+    finally:
+        watch.close()
+        plant.destroy_node()
+        context.try_shutdown()
