@@ -29,7 +29,7 @@ def marked(mark: str) -> dict[int, str]:
         try:
             alive = (folder / 'stat').read_text().rsplit(')', 1)[1].split()[0] != 'Z'
             if alive and f'{MARK}={mark}'.encode() in (folder / 'environ').read_bytes():
-                found[int(folder.name)] = (folder / 'cmdline').read_text().replace('\0', ' ')[:120]
+                found[int(folder.name)] = (folder / 'cmdline').read_text().replace('\0', ' ')
         except OSError:
             continue
     return found
