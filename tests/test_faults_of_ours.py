@@ -1,5 +1,6 @@
 """A fault of the software is not told as bad input, and a process that cannot end is ended."""
 
+import signal
 import subprocess
 import sys
 import time
@@ -39,6 +40,30 @@ def test_numpy_is_never_bad_input(monkeypatch, capsys):
     monkeypatch.setattr(catalogue, 'entries', entries)
     assert cli.main(['list', 'laws']) == 3
     assert 'could not be broadcast' in capsys.readouterr().err
+
+
+def test_what_a_library_says_when_ctrl_c_cuts_it_short_is_no_fault(monkeypatch, capsys):
+    def entries(what):
+        try:
+            signal.raise_signal(signal.SIGINT)
+        except KeyboardInterrupt:               # as numpy does while it is imported
+            raise ImportError('the C extensions failed') from None
+    monkeypatch.setattr(catalogue, 'entries', entries)
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        assert cli.main(['list', 'laws']) == 130
+    finally:
+        signal.signal(signal.SIGINT, before)
+    assert capsys.readouterr() == ('', '')
+
+
+def test_a_ctrl_c_that_came_while_python_started_is_heard():
+    told = python('import os, signal, sys\nfrom rvd_campaign import cli\n'
+                  'signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})\n'
+                  'signal.signal(signal.SIGINT, signal.default_int_handler)\n'
+                  'os.kill(os.getpid(), signal.SIGINT)\n'
+                  'sys.exit(cli.main(["list", "laws"]))')[0]
+    assert (told.returncode, told.stdout, told.stderr) == (130, '', '')
 
 
 @pytest.mark.parametrize('error, code', [('ValueError', 1), ('BadInput', 2)])

@@ -10,6 +10,7 @@ import sys
 import traceback
 
 from rvd_campaign.exits import CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_FAULT, EXIT_INTERRUPTED
+from rvd_campaign.interrupts import ctrl_c_heard, has_come
 from rvd_campaign.output import keep_going
 from rvd_dynamics.bad_input import BadInput
 
@@ -27,13 +28,16 @@ def main(argv: list[str] | None = None) -> int:
     keep_going()
     args = parser().parse_args(argv)
     try:
-        return args.run(args)
+        with ctrl_c_heard():
+            return args.run(args)
     except (CannotRun, BadInput) as error:
         print(f'rvd {args.command}: {error}', file=sys.stderr)
         return EXIT_CANNOT
     except KeyboardInterrupt:
         return EXIT_INTERRUPTED
     except Exception as error:                  # noqa: B902 - a fault of ours keeps its traceback
+        if has_come():                          # a library that it has cut short says anything
+            return EXIT_INTERRUPTED
         traceback.print_exc()
         print(f'rvd {args.command}: {type(error).__name__}: a fault of this software, not of what '
               'it was given: please report it with the lines above', file=sys.stderr)

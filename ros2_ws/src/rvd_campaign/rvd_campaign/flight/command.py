@@ -7,7 +7,7 @@ import argparse
 from rvd_campaign.exits import CannotRun, EXIT_DONE, EXIT_FAILED
 from rvd_campaign.flight import fly, preflight, verdict
 from rvd_campaign.flight.domain import reserved_domain
-from rvd_campaign.flight.interrupts import all_like_ctrl_c
+from rvd_campaign.interrupts import all_like_ctrl_c
 
 
 def main(args: argparse.Namespace) -> int:

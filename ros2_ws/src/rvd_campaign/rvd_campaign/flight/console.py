@@ -20,7 +20,7 @@ from typing import Any
 from rvd_campaign.flight import fly
 from rvd_campaign.exits import CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_INTERRUPTED
 from rvd_campaign.flight.domain import reserved_domain
-from rvd_campaign.flight.interrupts import all_like_ctrl_c
+from rvd_campaign.interrupts import all_like_ctrl_c
 from rvd_dynamics import lifeline
 from rvd_dynamics.diagram.display import as_data
 from rvd_dynamics.diagram.scenario import Scenario

@@ -22,7 +22,7 @@ from rvd_campaign.exits import (
 from rvd_dynamics.diagram.identity import new_run
 from rvd_dynamics.diagram.roster import listed
 from rvd_dynamics.diagram.scenario import load, Scenario
-from rvd_campaign.flight.interrupts import uninterrupted
+from rvd_campaign.interrupts import uninterrupted
 from rvd_campaign.flight.supervisor import Supervisor
 from rvd_campaign.report.attempt import attempt
 from rvd_groundstation.operators.tape import read_tape, TOPIC
