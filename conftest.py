@@ -5,6 +5,7 @@ Settings of every test: fast ones first, and property tests that do not depend o
 import os
 
 from hypothesis import settings
+import pytest
 
 # No deadlines, since the cores are shared with the processes of other tests. With CI set, the same
 # examples each time.
@@ -18,3 +19,13 @@ def pytest_collection_modifyitems(items):
     Run what is quick to fail first; within fast and slow the order of the files stays.
     """
     items.sort(key=lambda item: item.get_closest_marker('slow') is not None)
+
+
+@pytest.fixture
+def own_domain(monkeypatch):
+    """Set ROS_DOMAIN_ID to a domain that no run and no other test has meanwhile; return it."""
+    from rvd_campaign.flight.domain import reserved_domain
+    monkeypatch.delenv('ROS_DOMAIN_ID', raising=False)
+    with reserved_domain() as number:
+        monkeypatch.setenv('ROS_DOMAIN_ID', str(number))
+        yield number

@@ -2,10 +2,8 @@
 
 from pathlib import Path
 
-import pytest
 from rclpy.context import Context
 from rclpy.node import Node
-from rvd_campaign.flight.domain import reserved_domain
 from rvd_campaign.flight.watch import FlightWatch
 from rvd_dynamics.diagram.identity import new_run, ready_words
 from rvd_dynamics.diagram.ros import qos
@@ -17,13 +15,6 @@ from std_msgs.msg import String
 SCENARIOS = Path(__file__).resolve().parents[4] / 'scenarios'
 
 
-@pytest.fixture
-def domain(monkeypatch):
-    monkeypatch.delenv('ROS_DOMAIN_ID', raising=False)
-    with reserved_domain() as number:
-        yield number
-
-
 def spin_until(watch, look):
     for _ in range(100):
         watch.spin(0.1)
@@ -32,13 +23,13 @@ def spin_until(watch, look):
     raise AssertionError('nothing was heard in 10 s')
 
 
-def test_a_step_heard_before_its_plant_said_that_it_is_ready_counts(domain):
+def test_a_step_heard_before_its_plant_said_that_it_is_ready_counts(own_domain):
     """A run that hangs in its first steps sends no other: it must not seem never to have begun."""
     run_id = new_run()
     context = Context()
-    context.init(domain_id=domain)
+    context.init(domain_id=own_domain)
     plant = Node('spacecraft_dynamics', context=context)
-    watch = FlightWatch(Roster(load(SCENARIOS / 'paper.yaml')), domain, run_id)
+    watch = FlightWatch(Roster(load(SCENARIOS / 'paper.yaml')), own_domain, run_id)
     try:
         topic = '/truth/relative_state'
         plant.create_publisher(RelativeState, topic, qos.LATCHED).publish(RelativeState(step=3))

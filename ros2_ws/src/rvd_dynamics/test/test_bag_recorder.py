@@ -30,14 +30,8 @@ RECORDER = [sys.executable, '-c', 'from rvd_dynamics.diagram.ros.main import mai
             '--ros-args', '-r', '__node:=bag_recorder']
 
 
-def domain() -> str:
-    """Return a domain of this process's own."""
-    return str(20 + os.getpid() % 80)
-
-
 @pytest.fixture
-def ros(monkeypatch):
-    monkeypatch.setenv('ROS_DOMAIN_ID', domain())
+def ros(own_domain):
     context = rclpy.Context()
     rclpy.init(context=context)
     node = rclpy.create_node('loop', context=context)
@@ -217,9 +211,8 @@ def test_steps_that_never_came_are_counted_in_the_file(ros, tmp_path):
     ("bag_dir:=''", 'bag_dir must name a directory'),
     ('bag_dir:=/proc/nowhere', 'bag_dir /proc/nowhere: '),
     ('bag_dir:=/tmp', 'bag directory /tmp is not empty')])
-def test_a_place_where_no_bag_can_be_is_one_line_and_exit_2(argument, complaint):
+def test_a_place_where_no_bag_can_be_is_one_line_and_exit_2(argument, complaint, own_domain):
     done = subprocess.run(
-        [*RECORDER, '-p', argument],
-        env={**os.environ, 'ROS_DOMAIN_ID': domain()}, capture_output=True, text=True, timeout=30)
+        [*RECORDER, '-p', argument], capture_output=True, text=True, timeout=30)
     assert done.returncode == 2
     assert complaint in done.stderr and 'Traceback' not in done.stderr

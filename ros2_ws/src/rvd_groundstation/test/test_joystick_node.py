@@ -17,9 +17,9 @@ from rvd_interfaces.msg import RunEvent
 
 
 @pytest.fixture
-def graph():
+def graph(own_domain):
     """Return the node, a function that spins until something is true, and what has been heard."""
-    rclpy.init(domain_id=97)
+    rclpy.init()
     scenario = parse("""
 /**: {ros__parameters: {pace: realtime, operator: joy, joy_input: held}}
 joystick: {ros__parameters: {deadzone: 0.1, autorepeat_rate: 50.0}}
