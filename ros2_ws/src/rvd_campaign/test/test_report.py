@@ -4,6 +4,7 @@ from dataclasses import replace
 from html.parser import HTMLParser
 import re
 
+import numpy as np
 import pytest
 import small_run
 from small_run import LAST, write_run
@@ -11,6 +12,7 @@ from std_msgs.msg import String
 
 from rvd_campaign.report.figures import figures_of
 from rvd_campaign.report.run import page, write_report
+from rvd_dynamics.commands import codes
 from rvd_dynamics.recording.reader import read
 
 
@@ -86,6 +88,16 @@ def test_page_says_verdict_limits_counts_and_scenario(html):
                  '27.5 onboard_guard REFUSED', 'half_angle_deg: 3.0'):
         assert fact in text, fact
     assert 'class="warning"' not in html
+
+
+def test_steps_of_an_abort_are_nobodys_decision(recording):
+    sent = recording.of('/ground/command')
+    aborted = replace(sent, reason=np.where(np.arange(len(sent.step)) < 40, sent.reason,
+                                            codes.REASON_ABORT))
+    series = {**recording.series, '/ground/command': aborted}
+    text = Reader(page(replace(recording, series=series))).text
+    assert 'pilot and automatic 40 ' in text
+    assert f'the ABORT in force {len(sent.step) - 40} ' in text
 
 
 def test_each_measure_has_its_row_unless_it_is_unknown_and_without_limit(html):

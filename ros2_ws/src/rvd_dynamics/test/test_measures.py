@@ -69,7 +69,7 @@ def test_the_verdict_in_words():
         '  where it ended  1.5 km     (between 1 and 2 km)',
         '  sum of all      3.00 km^2']
     assert in_words(judged(0.0, 0.0, 0.0, 2.0)).splitlines()[:2] == [
-        'failed: came elsewhere after 1.5 s',
+        'failed after 1.5 s: came elsewhere',
         '  where it ended  2.0 km     (NOT between 1 and 2 km)']
     assert 'where it ended' not in in_words(judged(0.0, 0.5))
 

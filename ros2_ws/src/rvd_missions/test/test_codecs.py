@@ -205,6 +205,17 @@ def test_a_damaged_frame_is_refused_and_said(k, levels, data):
     assert [code for code, _ in events] == ['REFUSED']
 
 
+def test_an_abort_that_a_later_one_has_overtaken_is_not_said():
+    events = []
+    frame, gate = codec(UPLINK).encode, codec(SIGNALS['/onboard/command'], events)
+    sent = [frame(k, UPLINK(command=np.zeros(3, np.int8), kind=np.uint8(kind),
+                            expedited=np.bool_(kind == KIND_ABORT)))
+            for k, kind in enumerate([KIND_THRUST, KIND_THRUST, KIND_ABORT, KIND_ABORT])]
+    took = [gate.decode(4 + i, sent[k]).received for i, k in enumerate([1, 0, 3, 2])]
+    assert took == [True, False, True, False]
+    assert events == [('REFUSED', 'command refused: ORDER, 1 so far')]      # before the ABORT
+
+
 @pytest.mark.parametrize('name', ONE_LEG)
 def test_a_frame_that_holds_nothing_is_nothing_received(name):
     coder, events = codec(SIGNALS[name], []), []

@@ -27,6 +27,8 @@ YES, NO, DASH = '\u2713', '\u2717', '\u2013'
 DECIDED = {codes.BY_NOBODY: 'nobody (no valid input)', codes.BY_PILOT: 'pilot alone',
            codes.BY_AUTO: 'automatic controller alone', codes.BY_BLEND: 'pilot and automatic',
            codes.BY_GUARD: 'onboard guard'}
+ABORTED = 255                   # no BY code: an ABORT in force leaves nobody a choice
+DECIDED[ABORTED] = 'the ABORT in force'
 REFUSED = {codes.REASON_LENGTH: 'length', codes.REASON_CHECKSUM: 'checksum',
            codes.REASON_ORDER: 'order', codes.REASON_AGE: 'age', codes.REASON_RANGE: 'range'}
 
@@ -167,7 +169,9 @@ def _balance(link: LinkHistory) -> str:
 
 def _decided_rows(run: Recording) -> list[tuple[str, int, str]]:
     """Return who decided how often, of the commands of the block that obeys `/run/control`."""
-    decided = [who for series in _commands_of_control(run) for who in series.decided_by.tolist()]
+    decided = [ABORTED if why == codes.REASON_ABORT else who
+               for series in _commands_of_control(run)
+               for who, why in zip(series.decided_by.tolist(), series.reason.tolist())]
     return [(DECIDED.get(who, str(who)), n, f'{100 * n / len(decided):.0f} %')
             for who, n in sorted(Counter(decided).items())]
 

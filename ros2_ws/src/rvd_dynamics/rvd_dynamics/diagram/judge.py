@@ -142,7 +142,8 @@ class Judgement(NamedTuple):
     @property
     def headline(self) -> str:
         """What happened and when, in a few words."""
-        return f'{"" if self.success else "failed: "}{self.words} after {self.duration:.1f} s'
+        after = f'after {self.duration:.1f} s'
+        return f'{self.words} {after}' if self.success else f'failed {after}: {self.words}'
 
     def value(self, name: str) -> float:
         """Return the value of a measure; NaN while unknown, or where there is no such measure."""

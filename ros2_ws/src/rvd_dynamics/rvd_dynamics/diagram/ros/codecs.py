@@ -383,6 +383,7 @@ class Arrival(Codec):
                  ) -> None:
         super().__init__(signal, run)
         self._event, self._neutral = event, form.neutral
+        self._aborted = False
         self._gate = Gate(form, legs.forward * run.step_ns, run.step_ns)
 
     def decode(self, k: int, message: LinkFrame) -> Any:
@@ -395,7 +396,10 @@ class Arrival(Codec):
 
     def _passed(self, k: int, payload: bytes | None) -> Any:
         passed = self._gate.advance(k, payload)
-        if passed.reason in REFUSALS:
+        self._aborted |= passed.received and passed.kind == codes.KIND_ABORT
+        # ABORT frames overtake each other on their way: one that comes after a later one is no news
+        overtaken = self._aborted and passed.reason == Refusal.ORDER
+        if passed.reason in REFUSALS and not overtaken:
             name = Refusal(passed.reason).name
             self._event('REFUSED', f'command refused: {name}, '
                         f'{passed.counts[name.lower()]} so far')
