@@ -262,12 +262,16 @@ def test_in_real_time_a_block_fires_late_with_what_it_holds_and_counts_what_is_m
                              'late': '1 messages came after their step'}
 
 
-def test_in_real_time_a_jump_fires_every_step_between(guard):
+def test_in_real_time_a_jump_fires_every_step_between(guard, monkeypatch):
     toy_mission.LOG.clear()
+    events = []
+    monkeypatch.setattr(guard, 'event', lambda code, text: events.append((code, text)))
     guard.host.work()
     send(guard, 'wanted', 4, command=[0.5], count=4)
     assert sorted(k for _, k in toy_mission.LOG) == [0, 1, 2, 3, 4]
     assert guard.missing_count == 8
+    assert [(code, text.split(';')[0]) for code, text in events] == [
+        ('LATE', 'inputs missing at their step: 2 so far')]         # then from 10 on, from 100 on
     send(guard, 'measured', 4, state=[1.0, 2.0])
     assert given('guard', 5) == [1.0, 2.0, 0.5, 4.0]
 

@@ -200,8 +200,11 @@ class FiringNode(RunNode):
     def _count_missing(self) -> None:
         missing = sum(not given.there() for given in self._given)
         if missing:
-            self.missing_count += missing
+            before, self.missing_count = self.missing_count, self.missing_count + missing
             self.trouble['missing'] = f'{self.missing_count} inputs missing so far'
+            if len(str(before or '')) < len(str(self.missing_count)):   # 1, 10, 100 ...
+                self.event('LATE', f'inputs missing at their step: {self.missing_count} so far; '
+                           'this machine does not keep up with the pace')
 
     def on_step(self, k: int, values: dict[str, Any]) -> None:
         """Compute and publish, from the values of the inputs; implemented by each kind of node."""
