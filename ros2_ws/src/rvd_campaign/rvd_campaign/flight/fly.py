@@ -182,7 +182,7 @@ class Flight:
         except BaseException:                       # Ctrl-C, too
             self._supervisor.stop()
             raise
-        self._shown_at = 0.0
+        self._shown_at, self._shown = 0.0, ''
         self._on_line = False
 
     def fly(self) -> int:
@@ -353,8 +353,8 @@ class Flight:
             width = shutil.get_terminal_size().columns - 1      # a longer line would wrap
             print(f'\r\x1b[K{line[:width]}', end='', flush=True)
             self._on_line = True
-        elif time.monotonic() - self._shown_at > 1.0:
-            self._shown_at = time.monotonic()
+        elif line != self._shown and time.monotonic() - self._shown_at > 1.0:
+            self._shown_at, self._shown = time.monotonic(), line
             print(line, flush=True)
 
     def _end_line(self) -> None:

@@ -5,6 +5,7 @@ It looks at the newest raw message of each topic some times a second and decodes
 it is shown, so that it does not slow the graph.
 """
 
+import math
 import time
 from typing import Any
 
@@ -147,7 +148,9 @@ class FlightWatch:
         if command is not None:
             words.append(_decides(command))
         if back is not None:
-            words.append(f'transit {back.delay_p50:4.2f} s, one way {back.play_out_delay:g} s')
+            if math.isfinite(back.delay_p50):           # unknown until a frame has come down
+                words.append(f'transit {back.delay_p50:4.2f} s')
+            words.append(f'one way {back.play_out_delay:g} s')
         return '  '.join([*words, *(['PAUSED'] if self.paused else [])])
 
     def who_owes(self) -> list[str]:
