@@ -66,7 +66,7 @@ export function newRun(store, start) {
   const options = modes.map((m) => `<option value="${m}" ${m === mode ? 'selected' : ''}>${S[`mode_${m}`]}</option>`);
   open(`<h3>${S.new_run}</h3><p>${S.new_run_text}</p>
     <p>${modes.length ? `<label>${S.mode} <select id="new-mode">${options.join('')}</select></label> &nbsp;` : ''}
-    <label>${S.seed} <input id="new-seed" size="8" inputmode="numeric" placeholder="${S.seed_hint}"></label></p>
+    <label>${S.seed} <input id="new-seed" size="15" inputmode="numeric" placeholder="${S.seed_hint}"></label></p>
     <p id="new-error" class="alarm"></p>
     <div class="buttons"><button data-close>${S.cancel}</button><button class="primary" id="new-start">${S.start}</button></div>`,
   (dialog) => {

@@ -14,7 +14,7 @@ export const S = {
   round_trip: 'Round trip', dial_alt: 'Dial of the round trip',
   restart: 'New run', review: 'Review', settings: 'Stick', help: 'Help', stop: 'Stop run',
   review_close: 'Leave review', play: 'Play', stop_play: 'Stop', scrub: 'Instant of the review',
-  review_title: 'Review a run', review_none: 'No finished runs here yet.',
+  review_title: 'Review a run', review_none: 'No finished runs here yet: a run is listed once its bag is closed.',
   review_loading: 'Reading the bag…', review_open: 'Open',
   take: 'Take the stick', drop: 'Release the stick', taken: 'Another page has the stick',
   stick_yours: 'You have the stick', stick_held: 'stick live', stick_open: 'DEAD-MAN OPEN: automatic alone flies',
@@ -23,7 +23,7 @@ export const S = {
   socket_open: 'connected', socket_closed: 'NOT CONNECTED',
   idle: 'Ready', idle_text: 'Take the stick (T), then start a run (N).', starting: 'The graph is coming up…',
   paused: 'PAUSED', stale: 'STALE', no_telemetry: 'no telemetry yet', first_in: 'first telemetry in {s} s',
-  pilot_lost: 'PILOT LOST: the automatic half flies alone',
+  pilot_lost: 'PILOT LOST: the automatic controller flies alone',
   stale_frames: 'NO DATA FOR {s} s', aborted: 'ABORT in force', aborted_so: 'ABORT in force: {does}',
   abort_sent: 'ABORT sent, acting in about {s} s',
   abort_asked: 'ABORT: waiting for the answer', abort_unconfirmed: 'ABORT NOT CONFIRMED',
@@ -92,9 +92,9 @@ export const HELP = [
   ['T', 'take or release the stick'],
   ['Space', 'dead-man, if so chosen under Stick'], ['M', '{modes} in turn'],
   ['P', 'pause, resume'], ['X X', 'ABORT, past every buffer{abort}'],
-  ['N', 'new run'], ['V', 'next view'], ['L', 'review a run'], ['G', 'stick settings'],
+  ['N', 'new run'], ['V', 'next view'], ['+ − [ ]', 'zoom and turn the scene'], ['L', 'review a run'], ['G', 'stick settings'],
   ['?', 'this list'], ['Esc', 'close'],
-  ['', 'A key that comes up is zero. Without focus, without this page, or with the dead-man open, the pilot is lost and the automatic half flies alone.'],
+  ['', 'A key that is released commands zero. Without focus, without this page, or with the dead-man open, there is no pilot: the automatic controller flies alone.'],
 ];
 
 export const KEYS = { ArrowUp: '↑', ArrowDown: '↓', ArrowLeft: '←', ArrowRight: '→' };
