@@ -25,8 +25,8 @@ def main() -> None:
     if not flight.verdict.success[0]:
         raise SystemExit('seed 0 no longer docks: choose another for the tape')
     levels = flight.history[STICK.name].command[:, 0]
-    write('docking', 'The model pilot who docks in scenario paper with seed 0.', stick,
-          np.arange(len(levels)) * step_s, levels)
+    write('docking', 'The model pilot who docks in scenario paper with seed 0, in mode shared and '
+          'lock step.', stick, np.arange(len(levels)) * step_s, levels)
     write('hands_off', 'A pilot who holds the dead-man button and touches nothing.',
           stick, [0.0], np.zeros((1, 3)))
     stuck = np.array([[0, 0, 0], [0, 3, 0]])
