@@ -27,7 +27,7 @@ def main() -> None:
     """Fly and take the pictures."""
     images = ROOT / 'docs' / 'images'
     images.mkdir(exist_ok=True)
-    console = Console(Path(tempfile.mkdtemp()), 'hand', '--pace', '2', '--seed', '12')
+    console = Console(Path(tempfile.mkdtemp()), 'hand', '--pace', '1', '--seed', '12')
     try:
         with playwright()() as play:
             browser = play.chromium.launch(executable_path=chromium(), args=FLAGS)
