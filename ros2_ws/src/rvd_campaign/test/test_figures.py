@@ -219,7 +219,7 @@ def test_the_stick_of_a_tape_is_recorded_as_the_tape_has_it(tmp_path):
 def test_a_report_can_be_made_of_a_history(history):
     html = page(history)
     assert html.count('<svg') == len(ALL) and 'class="warning"' not in html
-    assert 'Failed: did not reach the docking plane in time after 40.0 s' in html
+    assert 'Failed after 40.0 s: did not reach the docking plane in time' in html
     assert 'pilot and automatic' in html and 'Steps without a command' not in html
 
 
