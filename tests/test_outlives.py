@@ -99,7 +99,7 @@ def children_named(word: str, mark: str) -> list[int]:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize('word', ['scripts/bringup.sh', 'state_predictor'])
+@pytest.mark.parametrize('word', ['scripts/bringup.sh', '__node:=state_predictor'])
 def test_what_is_killed_inside_takes_the_rest_with_it(tmp_path, word):
     """The bring-up itself, and one of its nodes."""
     mark = uuid.uuid4().hex
@@ -135,7 +135,7 @@ def test_a_bring_up_by_hand_ends_all_when_one_fails(tmp_path):
          tmp_path / 'run'], stdout=subprocess.PIPE, text=True, env={**os.environ, MARK: mark})
     try:
         in_flight(tmp_path / 'run')
-        os.kill(children_named('state_predictor', mark)[0], signal.SIGKILL)
+        os.kill(children_named('__node:=state_predictor', mark)[0], signal.SIGKILL)
         said = bringup.communicate(timeout=GONE_S)[0].splitlines()
     finally:
         bringup.kill()
