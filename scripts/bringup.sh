@@ -29,9 +29,11 @@ fi
 
 [ -r "$1" ] || { echo "bringup: cannot read the scenario $1" >&2; exit 2; }
 [ $# -ge 2 ] || { echo "bringup: the run folder is missing: bringup.sh SCENARIO RUN_DIR" >&2; exit 2; }
-scenario=$(realpath "$1")
-mkdir -p "$2/logs" || exit 2
-run=$(realpath "$2")
+scenario=$(realpath -- "$1"; echo .)
+scenario=${scenario%??}                 # and not the end of a name that is a line feed
+mkdir -p -- "$2/logs" || exit 2
+run=$(realpath -- "$2"; echo .)
+run=${run%??}
 headless=${3:-}
 
 executable() {      # where `ros2 run` looks

@@ -226,7 +226,7 @@ build_workspace() {
 
 # Print the variables that loading ROS and the workspace sets from nothing: NAME=value, NUL-terminated.
 loaded_variables() {
-    env -i HOME="$HOME" PATH=/usr/bin:/bin bash --noprofile --norc -c '
+    env -i HOME="${HOME:-/}" PATH=/usr/bin:/bin bash --noprofile --norc -c '
         [[ $1 == wheels ]] && export AMENT_PREFIX_PATH=$2/venv CMAKE_PREFIX_PATH=$2/venv
         [[ $1 == /* ]] && source "$1/setup.bash"
         source "$2/install/local_setup.bash"
@@ -238,6 +238,7 @@ loaded_variables() {
 write_environment() {
     local name value
     local -A lists=([PATH]=$venv/bin)
+    loaded_variables > "$state/variables" || die "the workspace in $state/install does not load"
     {
         echo '# Made by scripts/setup.sh; `source` it in bash to load ROS and the workspace.'
         declare -f rvd_prepend
@@ -250,7 +251,7 @@ write_environment() {
                 *PATH) lists[$name]=${value%:} ;;
                 *) echo "export $name=${value@Q}" ;;
             esac
-        done < <(loaded_variables)
+        done < "$state/variables"
         if [[ $ros == wheels ]]; then
             # What the wheels would do for themselves by starting every Python twice (45 ms each).
             for value in "$venv/lib" "$venv"/lib/python3*/site-packages/ros_*.libs; do
@@ -272,6 +273,7 @@ write_environment() {
         echo 'export OMP_NUM_THREADS="${OMP_NUM_THREADS:-1}"'
     } > "$state/env.new"
     mv "$state/env.new" "$state/env.sh"
+    rm "$state/variables"
 }
 
 # rvd_prepend VARIABLE ENTRIES: drop the entries of any .rvd, then put in front those not there yet.
@@ -367,7 +369,8 @@ if ! flock --nonblock 9; then
 fi
 trap 'say "interrupted; the next command repairs it"; exit 130' INT
 find_ros
-unset PYTHONHOME _ROS_WHEELS_BOOTSTRAP_COMPLETE
+unset PYTHONHOME PYTHONWARNINGS PYTHONINSPECT PYTHONHASHSEED PYTHONPLATLIBDIR PYTHONIOENCODING
+unset _ROS_WHEELS_BOOTSTRAP_COMPLETE
 if [[ $ros == wheels ]]; then                   # whatever else this shell has loaded
     unset PYTHONPATH AMENT_PREFIX_PATH CMAKE_PREFIX_PATH COLCON_PREFIX_PATH
 fi

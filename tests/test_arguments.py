@@ -20,6 +20,12 @@ BAD = {
     'seed not whole': (['fly', '--seed', '1.5'], '1.5'),
     'replay without tape': (['fly', '--operator', 'replay'], '--tape'),
     'tape without replay': (['fly', '--operator', 'model', '--tape', 'x'], '--operator replay'),
+    'empty scenario': (['fly', ''], 'argument SCENARIO: is empty'),
+    'empty tape': (['fly', '--tape', ''], 'argument --tape: is empty'),
+    'folder that is no text': (['fly', '--out', '\udcff'], 'argument --out'),
+    'scenario in two lines': (['fly', 'a\nb'], "no scenario 'a\\nb'"),
+    'tape in two lines': (['fly', '--tape', '.', '--tape-topic', 'a\nb'], 'no bag'),
+    'option in two lines': (['fly', '--warp\n9'], '--warp\\n9'),
     'missing tape': (['fly', '--tape', 'nosuch'], 'nosuch'),
     'stick in lock step': (['fly', '--operator', 'joy', '--pace', 'lockstep'], 'realtime'),
     'report of nothing': (['report', 'nowhere'], 'nowhere'),
@@ -39,6 +45,12 @@ SCENARIOS = {
     'not yaml': ('{', 'not valid YAML'),
     'empty': ('', 'empty'),
     'nan': ('/**: {ros__parameters: {timeout_s: .nan}}', 'timeout_s must be'),
+    'line feed': ('"/**": {ros__parameters: {"mode": "a\\nb"}}', 'got a\\nb'),
+    'key with a colour': ('"/**": {ros__parameters: {"\\e[31m": 1}}', 'unknown key \\x1b[31m'),
+    'no truth value': ('"/**": {ros__parameters: {mode: !!bool x}}', 'not valid YAML'),
+    'dotted and nested': ('"/**": {ros__parameters: {stick.layout: ps4, stick: {layout: ps5}}}',
+                          'stick.layout is given twice'),
+    'empty mapping': ('"/**": {ros__parameters: {seed: {}}}', 'seed holds nothing'),
     'bomb': ('a: &a [1]\nb: [*a, *a]', 'aliases'),
     'bad link file': ('link_back: {ros__parameters: {model: empirical, empirical: {file: nil}}}',
                       'nil cannot be read'),
@@ -68,6 +80,20 @@ def test_bad_tape_is_one_line_and_exit_code_2(text, said, tmp_path):
     done = rvd('fly', '--tape', str(path), cwd=tmp_path)
     refused(done, said)
     assert 'bad.csv' in done.stderr
+
+
+@pytest.mark.parametrize('suffix', ['csv', 'mcap'])
+def test_a_pipe_is_no_tape(suffix, tmp_path):
+    path = tmp_path / f'pipe.{suffix}'
+    os.mkfifo(path)
+    refused(rvd('fly', '--tape', str(path), cwd=tmp_path, timeout=20.0), 'write it to a file first')
+
+
+def test_a_device_is_no_parameter_file():
+    done = subprocess.run(
+        [str(ROOT / 'rvd'), 'node', 'rvd_dynamics', 'relative_sensor', '--ros-args',
+         '--params-file', '/dev/zero'], capture_output=True, text=True, timeout=20)
+    refused(done, '/dev/zero is a pipe or a device: give the parameter file as a file')
 
 
 def test_nothing_is_overwritten(tmp_path):

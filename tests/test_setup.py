@@ -464,6 +464,18 @@ def test_the_environment_is_complete_and_its_own(ready):
 
 
 @for_real
+def test_no_home_is_needed(ready):
+    project, *_ = ready
+    made = (project / '.rvd' / 'env.sh').read_text()
+    for name in ('env.sh', 'done'):
+        (project / '.rvd' / name).unlink()
+    done = subprocess.run(['env', '-u', 'HOME', project / 'rvd', 'list', 'laws'], env=outside(),
+                          text=True, capture_output=True)
+    assert done.returncode == 0, done.stderr
+    assert (project / '.rvd' / 'env.sh').read_text() == made
+
+
+@for_real
 def test_node_finds_executables_as_ros2_run_does(ready):
     project, *_ = ready
     folder = project / '.rvd' / 'install' / 'rvd_dynamics' / 'lib' / 'rvd_dynamics'

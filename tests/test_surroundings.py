@@ -63,6 +63,27 @@ def test_logs_belong_to_the_run_folder(short, tmp_path):
     assert not (home / '.ros').exists()
 
 
+@pytest.mark.parametrize('name, value', [('PYTHONWARNINGS', 'error'), ('PYTHONHASHSEED', 'x'),
+                                         ('PYTHONINSPECT', '1'), ('PYTHONPLATLIBDIR', 'x')])
+def test_settings_of_python_of_the_user_act_on_nothing(tmp_path, name, value):
+    done = run('rvd fly no-such', tmp_path, **{name: value})
+    assert done.returncode == 2 and done.stderr.count('\n') == 1, done.stderr
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize('name', ['d\u00e9j\u00e0', 'two\nlines\n', '-dash'])
+def test_a_run_folder_may_have_any_name_in_any_locale(short, tmp_path, name):
+    done = run(f'rvd fly {short} --out="$NAME"', tmp_path, NAME=name, LC_ALL='C',
+               PYTHONCOERCECLOCALE='0', PYTHONUTF8='0', PYTHONWARNINGS='error')
+    assert done.returncode == 1 and not done.stderr, done.stderr
+    assert (tmp_path / name / 'bag').is_dir()
+
+
+def test_text_that_the_terminal_cannot_show_is_spelled_out(tmp_path):
+    done = run('PYTHONIOENCODING=ascii python -m rvd_campaign.cli fly d\u00e9j\u00e0', tmp_path)
+    assert done.returncode == 2 and "no scenario 'd\\xe9j\\xe0'" in done.stderr
+
+
 @pytest.mark.parametrize('line, code', [
     ('rvd fly {short} --out run | head -1', 1),
     ('rvd fly {short} --out run > /dev/full', 1),

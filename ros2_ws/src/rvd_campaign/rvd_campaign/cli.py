@@ -8,11 +8,12 @@ software, 130 Ctrl-C. Bad input is one line on stderr and exit code 2; a fault k
 import argparse
 import sys
 import traceback
+from typing import Any
 
 from rvd_campaign.exits import CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_FAULT, EXIT_INTERRUPTED
 from rvd_campaign.interrupts import ctrl_c_heard, has_come
 from rvd_campaign.output import keep_going
-from rvd_dynamics.bad_input import BadInput
+from rvd_dynamics.bad_input import BadInput, one_line
 
 
 class Parser(argparse.ArgumentParser):
@@ -20,7 +21,33 @@ class Parser(argparse.ArgumentParser):
 
     def error(self, message: str) -> None:
         """Print one line and exit with code 2."""
-        self.exit(EXIT_CANNOT, f'{self.prog}: {message} (see {self.prog} --help)\n')
+        self.exit(EXIT_CANNOT, f'{self.prog}: {one_line(message)} (see {self.prog} --help)\n')
+
+    def parse_known_args(self, args: Any = None, namespace: Any = None) -> tuple:
+        """
+        Refuse words that are empty, as an unset variable of a shell leaves them, or no text.
+
+        An empty word would count as one that is not given; ROS and YAML take nothing but text.
+        """
+        found, rest = super().parse_known_args(args, namespace)
+        for action in self._actions:
+            value = getattr(found, action.dest, None)
+            if not isinstance(value, str) or value == action.default:
+                continue
+            name = '/'.join(action.option_strings) or action.metavar
+            if not value:
+                self.error(f'argument {name}: is empty')
+            if not _is_text(value):
+                self.error(f'argument {name}: {value!r} is not UTF-8: give the file another name')
+        return found, rest
+
+
+def _is_text(word: str) -> bool:
+    try:
+        word.encode()
+    except UnicodeEncodeError:
+        return False
+    return True
 
 
 def main(argv: list[str] | None = None) -> int:

@@ -4,6 +4,7 @@ Standard output and error that never stop the work: a closed pipe or a full disk
 
 import os
 import sys
+from io import TextIOWrapper
 from typing import Any, TextIO
 
 
@@ -47,6 +48,8 @@ def keep_going() -> None:
         if isinstance(stream, Unbroken):
             continue
         if stream is not None:                  # else closed by the shell (`>&-`)
+            if isinstance(stream, TextIOWrapper):
+                stream.reconfigure(errors='backslashreplace')   # what the terminal cannot show
             setattr(sys, name, Unbroken(stream))
         else:
             setattr(sys, name, open(os.devnull, 'w', encoding='utf-8'))

@@ -6,5 +6,13 @@ it keeps its traceback, and a command ends with exit code 3.
 """
 
 
+def one_line(text: str) -> str:
+    """Return a text with its control characters spelled out: what a user gave may hold any."""
+    return ''.join(c if c.isprintable() else repr(c)[1:-1] for c in text)
+
+
 class BadInput(ValueError):
     """Input that is refused; the text is all that the user is told."""
+
+    def __str__(self) -> str:
+        return one_line(super().__str__())

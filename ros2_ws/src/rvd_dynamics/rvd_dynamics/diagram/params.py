@@ -394,13 +394,21 @@ def flatten(made: Any, prefix: str = '') -> dict[str, Any]:
 
 
 def dotted(tree: dict[str, Any], prefix: str = '') -> dict[str, Any]:
-    """Return the nested keys of a parameter file as dotted ones, as ROS names them."""
+    """
+    Return the nested keys of a parameter file as dotted ones, as ROS names them.
+
+    Raises
+    ------
+    BadInput
+        If a key is there dotted and nested: either value could be meant.
+    """
     flat: dict[str, Any] = {}
     for key, value in tree.items():
-        if isinstance(value, dict):
-            flat.update(dotted(value, f'{prefix}{key}.'))
-        else:
-            flat[f'{prefix}{key}'] = value
+        name = f'{prefix}{key}'
+        more = dotted(value, f'{name}.') if isinstance(value, dict) else {name: value}
+        for twice in flat.keys() & more.keys():
+            raise BadInput(f'{twice} is given twice, with its dots and nested')
+        flat.update(more)
     return flat
 
 

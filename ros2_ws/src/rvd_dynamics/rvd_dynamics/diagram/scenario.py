@@ -8,6 +8,7 @@ unknown keys are refused with the nearest known one, shared keys stand under `/*
 
 import difflib
 import re
+import stat
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
@@ -349,7 +350,10 @@ def check_keys(name: str, mission: Mission, section: str, flat: Mapping[str, Any
 def text_of(path: Path, what: str) -> str:
     """Return a file that people write, or refuse it in one line."""
     try:
-        if path.stat().st_size > MAX_BYTES:
+        status = path.stat()
+        if stat.S_ISFIFO(status.st_mode) or stat.S_ISCHR(status.st_mode):   # without an end
+            raise ScenarioError(f'{path} is a pipe or a device: give the {what} as a file')
+        if status.st_size > MAX_BYTES:
             raise ScenarioError(f'{path} is larger than {MAX_BYTES >> 20} MiB')
         return path.read_text(encoding='utf-8')
     except OSError as error:
@@ -366,7 +370,7 @@ def mapping_of(text: str, what: str) -> dict:
         raise ScenarioError(f'{what}: {error}') from None
     except RecursionError:
         raise ScenarioError(f'{what}: nested deeper than {MAX_DEPTH}') from None
-    except (yaml.YAMLError, ValueError) as error:
+    except (yaml.YAMLError, ValueError, LookupError) as error:      # `!!bool x` is a KeyError
         line = ' '.join(str(error).split())
         raise ScenarioError(f'{what} is not valid YAML: {line}') from None
     if not isinstance(tree, dict):
@@ -406,7 +410,10 @@ def parameters_of(body: Any, section: str, what: str) -> dict[str, Any]:
 def flat_keys(tree: dict, what: str) -> dict[str, Any]:
     """Return nested keys as dotted ones; refuse what cannot be a tree of parameters."""
     _check_tree(tree, what)
-    return dotted(tree)
+    try:
+        return dotted(tree)
+    except BadInput as error:
+        raise ScenarioError(f'{what}: {error}') from None
 
 
 def _check_tree(tree: dict, what: str, depth: int = 0) -> None:
@@ -417,6 +424,8 @@ def _check_tree(tree: dict, what: str, depth: int = 0) -> None:
             raise ScenarioError(f'{what}: key {key} is not text')
         if isinstance(value, dict):
             _check_tree(value, what, depth + 1)
+        if value == {}:
+            raise ScenarioError(f'{what}: {key} holds nothing: give it a value or leave it out')
 
 
 def _merge(tree: dict[str, Any], flat: dict[str, Any]) -> None:

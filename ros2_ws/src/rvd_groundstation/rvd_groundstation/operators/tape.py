@@ -86,6 +86,9 @@ def read_tape(path: str | Path, topic: str = TOPIC) -> Tape:
     from rvd_dynamics.recording.messages import is_bag      # where there is a tape at all
     path = Path(path)
     try:
+        if path.exists() and not path.is_file() and not path.is_dir():
+            raise BadInput(f'{path}: a pipe or a device is no tape: it is read more than once, '
+                           'write it to a file first')
         if is_bag(path):
             return _read_bag(path, topic)
         if topic != TOPIC:
