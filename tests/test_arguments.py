@@ -28,6 +28,9 @@ BAD = {
     'option in two lines': (['fly', '--warp\n9'], '--warp\\n9'),
     'missing tape': (['fly', '--tape', 'nosuch'], 'nosuch'),
     'stick in lock step': (['fly', '--operator', 'joy', '--pace', 'lockstep'], 'realtime'),
+    'figures into nowhere': (['bench', 'loop', '--out', 'no/such.json'], 'no is no folder'),
+    'pilot into nowhere': (['calibrate', '--out', 'no/such.yaml'], 'no is no folder'),
+    'stick into nowhere': (['stick', '--write', 'no/such.yaml'], 'no is no folder'),
     'report of nothing': (['report', 'nowhere'], 'nowhere'),
     'list of nothing': (['list', 'moons'], 'moons'),
 }
@@ -108,6 +111,19 @@ def test_bad_domain_is_refused(tmp_path, monkeypatch):
     monkeypatch.setattr('runs.environment', lambda: {**os.environ, 'ROS_DOMAIN_ID': '999'})
     done = rvd('fly', '--out', str(tmp_path / 'run'), cwd=tmp_path)
     refused(done, 'ROS_DOMAIN_ID must be')
+
+
+@pytest.mark.parametrize('name, value', [('ROS_DOMAIN_ID', '999'), ('ROS_DOMAIN_ID', '9'*5000),
+                                         ('RMW_IMPLEMENTATION', 'rmw_nil')])
+def test_a_stick_of_a_topic_is_looked_for_in_a_sound_environment(name, value, tmp_path, monkeypatch):
+    monkeypatch.setattr('runs.environment', lambda: {**os.environ, name: value})
+    refused(rvd('stick', '--topic', '/joy', '--once', cwd=tmp_path), name)
+
+
+def test_a_stick_of_a_topic_needs_no_home(tmp_path, monkeypatch):
+    monkeypatch.setattr('runs.environment', lambda: {
+        key: value for key, value in os.environ.items() if key not in ('HOME', 'ROS_LOG_DIR')})
+    refused(rvd('stick', '--topic', '/no_such_stick', '--once', cwd=tmp_path), 'nobody publishes')
 
 
 @pytest.mark.parametrize('what, some', [('laws', 'corridor_apf'), ('scenarios', 'paper'),

@@ -276,6 +276,8 @@ def _list(args: argparse.Namespace) -> int:
 
 
 def _stick(args: argparse.Namespace) -> int:
+    from rvd_campaign.flight import preflight
+    preflight.check()                           # before ROS is loaded, which may end the process
     from rvd_campaign.flight import stick
     return stick.main(args)
 

@@ -2,6 +2,9 @@
 How a command ends: exit codes, and the error that becomes one line.
 """
 
+import os
+from pathlib import Path
+
 from rvd_dynamics.bad_input import one_line
 
 EXIT_DONE = 0                   # for `fly`: docked
@@ -16,3 +19,21 @@ class CannotRun(Exception):
 
     def __str__(self) -> str:
         return one_line(super().__str__())
+
+
+def check_file(flag: str, given: str, new: bool = True) -> None:
+    """
+    Refuse a file that could not be written in the end, before the work for it begins.
+
+    Raises
+    ------
+    CannotRun
+        If it is to be `new` and exists, or if it cannot be written there.
+    """
+    path = Path(given)
+    if new and os.path.lexists(path):
+        raise CannotRun(f'{flag} {path} exists already: nothing is overwritten')
+    if path.is_dir() or path.exists() and not os.access(path, os.W_OK):
+        raise CannotRun(f'{flag} {path} is no file that can be written')
+    if not path.parent.is_dir() or not os.access(path.parent, os.W_OK | os.X_OK):
+        raise CannotRun(f'{flag} {path}: {path.parent} is no folder that can be written to')

@@ -218,6 +218,21 @@ def test_folder_that_is_none_or_damaged(tmp_path):
         open_folder(tmp_path)
 
 
+def test_a_folder_that_does_not_say_what_was_flown_is_refused(once):
+    campaign, kept = open_folder(once[0])
+    for identity in ({}, None, 'x'):
+        with pytest.raises(CampaignError, match='damaged'):
+            check_same(once[0], {**kept, 'identity': identity}, campaign)
+
+
+def test_a_folder_whose_parts_were_removed_is_flown_anew(tmp_path):
+    with sole_writer(tmp_path):
+        assert not list((tmp_path / PARTS).iterdir())
+    with pytest.raises(CampaignError, match='cannot write into'):
+        with sole_writer(tmp_path / 'gone'):
+            pass
+
+
 def test_two_processes_cannot_fly_into_one_folder(once):
     with sole_writer(once[0]):
         with pytest.raises(CampaignError, match='another process'):

@@ -5,6 +5,7 @@ The page of a campaign: well formed, by itself, and saying what was fitted.
 import io
 import json
 import re
+import shutil
 import xml.etree.ElementTree
 
 import matplotlib
@@ -170,6 +171,15 @@ def test_no_results_no_page(tmp_path):
     start(parse_campaign('runs: 5', 'x'), tmp_path)
     with pytest.raises(CampaignError, match='has no results yet: finish it with'):
         write_campaign_report(tmp_path)
+
+
+@pytest.mark.parametrize('name, data', [
+    (SUMMARY, b'{"a'), (SUMMARY, b'\xff'), (SUMMARY, b'[]'), (RESULTS, b''), (RESULTS, b'PAR1 and no more')])
+def test_damaged_results_are_refused_with_the_way_to_make_them_again(folder, tmp_path, name, data):
+    shutil.copytree(folder, tmp_path / 'a copy')
+    (tmp_path / 'a copy' / name).write_bytes(data)
+    with pytest.raises(CampaignError, match="--resume '.*/a copy'|another version"):
+        write_campaign_report(tmp_path / 'a copy')
 
 
 def test_drawing_twice_gives_the_same_bytes(made):

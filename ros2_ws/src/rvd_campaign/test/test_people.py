@@ -5,6 +5,7 @@ import json
 
 import pytest
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_campaign.report.people import conditions, pairs, read_flights, write_session_report
 
 
@@ -119,3 +120,12 @@ def test_a_mission_that_is_not_installed_has_its_numbers_without_words(session):
         file.write_text(json.dumps({**json.loads(file.read_text()), 'mission': 'of_tomorrow'}))
     page = write_session_report(session).read_text()
     assert '<th>offset_m</th>' in page and '<td>0.1500</td>' in page
+
+
+@pytest.mark.parametrize('name', ['session.json', 'P01/*/verdict.json', 'P01/*/ratings.json'])
+@pytest.mark.parametrize('text', ['', '{"a', '[]', '{}', '\x00'])
+def test_a_damaged_file_is_refused_by_its_name(session, name, text):
+    file = next(session.glob(name))
+    file.write_text(text)
+    with pytest.raises(BadInput, match=f'{file.parent.name}.*damaged'):
+        write_session_report(session)

@@ -159,11 +159,15 @@ def test_what_does_not_fit_the_stage_is_refused(tmp_path, act):
 
 
 @pytest.mark.parametrize('text, names', [
-    ('- 1', 'hold'), ('flights: 3', 'conditions'),
+    ('- 1', 'not a mapping'), ('flights: 3', 'conditions'),
     ('{conditions: {a: {mode: auto}}, fly: 1}', 'fly'),
     ('{conditions: {a: {mode: no}}}', 'mode'), ('{conditions: {"../x": {mode: auto}}}', 'plain'),
     ('{conditions: {a: {mode: auto}}, flights: -1}', 'flights'),
-    ('{conditions: {a: {mode: auto}}, tlx: full}', 'raw or weighted'), ('{', 'cannot read')])
+    ('{conditions: {a: {mode: auto}}, tlx: full}', 'raw or weighted'), ('{', 'not valid YAML'),
+    ('{conditions: {a: {mode: auto}, a: {mode: shared}}}', 'given twice: a'),
+    ('{conditions: {a: {mode: auto}}, 1: 2, b: 3}', 'unknown key 1'),
+    ('{conditions: {a: {mode: auto}}, seed: !!bool x}', 'not valid YAML'),
+    ('{conditions: {a: {mode: auto}}, seed: 2026-99-99}', 'not valid YAML')])
 def test_a_session_file_that_is_none_is_refused_in_one_line(tmp_path, text, names):
     file = tmp_path / 's.yaml'
     file.write_text(text)

@@ -15,6 +15,7 @@ from typing import NamedTuple
 
 from rvd_campaign.bench import processes
 from rvd_campaign.bench.before import Checkout, HOW
+from rvd_campaign.exits import check_file
 
 
 class Row(NamedTuple):
@@ -28,6 +29,8 @@ class Row(NamedTuple):
 
 def main(args: argparse.Namespace) -> int:
     """Measure what is asked for, print the table, write the JSON; return the exit code."""
+    if args.out:
+        check_file('--out', args.out, new=False)
     # the console's needs a browser, so it is measured only when it is asked for
     names = [n for n in PARTS if n != 'console'] if args.part == 'all' else [args.part]
     before = Checkout(Path(args.before)) if args.before else None

@@ -27,7 +27,7 @@ from numpy.typing import NDArray
 from rvd_campaign import catalogue
 from rvd_campaign.campaign import engine, stats
 from rvd_campaign.campaign.results import Stretch, Table
-from rvd_campaign.exits import CannotRun, EXIT_DONE
+from rvd_campaign.exits import CannotRun, check_file, EXIT_DONE
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.params import flatten
 from rvd_dynamics.diagram.scenario import load, nearest, Scenario
@@ -266,8 +266,7 @@ def main(args: argparse.Namespace) -> int:
     """Fit a pilot as the command line asks; return the exit code."""
     pilot, free, scenario = _asked(args)
     out = Path(args.out or f'pilot_{Path(args.pilot).stem}.yaml')
-    if out.exists():
-        raise CannotRun(f'--out {out} exists already: nothing is overwritten')
+    check_file('--out', str(out))
     count = args.workers or engine.default_workers()
     with joblib.parallel_config('loky', inner_max_num_threads=1), \
             joblib.Parallel(n_jobs=count) as pool:

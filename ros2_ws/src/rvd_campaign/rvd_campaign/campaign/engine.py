@@ -176,7 +176,9 @@ def open_folder(folder: Path) -> tuple[Campaign, dict]:
 
 def check_same(folder: Path, kept: dict, campaign: Campaign) -> None:
     """Refuse to add runs to the folder of another campaign."""
-    mine, its = identity(campaign), kept['identity']
+    mine, its = identity(campaign), kept.get('identity')
+    if not isinstance(its, dict) or 'settings' not in its:
+        raise CampaignError(f'{folder / KEPT} is damaged: it does not say what was flown')
     if mine['settings'] != its['settings']:
         raise CampaignError(f'{folder} holds another campaign ({kept["campaign"]["name"]} with '
                             'other settings or seed): nothing is overwritten')
@@ -401,7 +403,11 @@ def sole_writer(folder: Path) -> Iterator[None]:
     CampaignError
         If another process flies into it.
     """
-    lock = os.open(folder / PARTS, os.O_RDONLY)
+    try:
+        (folder / PARTS).mkdir(exist_ok=True)   # somebody may have cleaned up: all is flown anew
+        lock = os.open(folder / PARTS, os.O_RDONLY)
+    except OSError as error:
+        raise CampaignError(f'cannot write into {folder}: {error.strerror}') from None
     try:
         fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         yield

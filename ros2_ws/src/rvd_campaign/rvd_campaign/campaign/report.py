@@ -3,8 +3,11 @@
 """
 
 import json
+import shlex
 from pathlib import Path
 from typing import Any, NamedTuple
+
+import pyarrow
 
 from rvd_campaign.campaign import results, stats
 from rvd_campaign.campaign.engine import open_folder, RESULTS
@@ -52,9 +55,14 @@ def read(folder: Path) -> Results:
             raise CampaignError(f'{folder / SUMMARY} is of another version of this software, '
                                 'which alone can report on it')
         return Results(campaign, summary, dict(results.tables(folder / RESULTS, needed(campaign))))
-    except OSError:
+    except FileNotFoundError:
         raise CampaignError(f'{folder} has no results yet: finish it with ./rvd campaign '
-                            f'--resume {folder}') from None
+                            f'--resume {shlex.quote(str(folder))}') from None
+    except OSError as error:
+        raise CampaignError(f'cannot read the results in {folder}: {error}') from None
+    except (UnicodeDecodeError, json.JSONDecodeError, pyarrow.ArrowInvalid) as error:
+        raise CampaignError(f'the results in {folder} are damaged: {error}: make them again with '
+                            f'./rvd campaign --resume {shlex.quote(str(folder))}') from None
 
 
 def page(made: Results) -> str:

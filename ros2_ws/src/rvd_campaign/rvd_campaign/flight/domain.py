@@ -8,7 +8,7 @@ machine uses its ports, and two runs that meet all the same tell each other apar
 """
 
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 import fcntl
 import json
 import os
@@ -36,8 +36,9 @@ class Domain(int):
         """Say what holds it, a run folder: told to whoever asks for the same id."""
         text = json.dumps({'pid': os.getpid(), 'what': what,
                            'since': time.strftime('%Y-%m-%d %H:%M:%S')})
-        os.ftruncate(self.file, 0)
-        os.pwrite(self.file, text.encode(), 0)
+        with suppress(OSError):                 # a full disk: it is held all the same
+            os.ftruncate(self.file, 0)
+            os.pwrite(self.file, text.encode(), 0)
 
 
 @contextmanager
@@ -74,7 +75,7 @@ def asked_for() -> int | None:
     given = os.environ.get('ROS_DOMAIN_ID', '')
     if not given:
         return None
-    if not (given.isascii() and given.isdecimal() and int(given) <= LARGEST):
+    if not (given.isascii() and given.isdecimal() and len(given) < 10 and int(given) <= LARGEST):
         raise CannotRun(f'ROS_DOMAIN_ID must be a whole number from 0 to {LARGEST}, got {given!r}')
     return int(given)
 

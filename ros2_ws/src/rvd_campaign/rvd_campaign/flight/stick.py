@@ -7,12 +7,16 @@ It reads the device itself, as the node `joystick` does, or with `--topic` what 
 import argparse
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+import os
 from pathlib import Path
+import shlex
 import sys
+import tempfile
 import time
 
 from rvd_campaign import catalogue
-from rvd_campaign.exits import CannotRun, EXIT_DONE
+from rvd_campaign.exits import CannotRun, check_file, EXIT_DONE
+from rvd_campaign.flight.domain import asked_for
 from rvd_dynamics.commands.levels import stick_fault, stick_levels, StickParams
 from rvd_dynamics.diagram.params import build, flatten
 from rvd_dynamics.diagram.ros.inputs import HELD_FOR_S
@@ -36,8 +40,8 @@ def main(args: argparse.Namespace) -> int:
     scenario = load(catalogue.find('scenarios', args.scenario, ('.yaml',)))
     if not scenario.has_shared('stick.layout'):
         raise CannotRun(f'mission {scenario.mission.name} has no stick')
-    if args.write and Path(args.write).exists():
-        raise CannotRun(f'{args.write} exists already: nothing is overwritten')
+    if args.write:
+        check_file('--write', args.write)
     settings, driver = scenario.part('stick'), scenario.settings('joystick')
     if args.layout:
         settings = layout_of(args.layout)
@@ -51,7 +55,7 @@ def main(args: argparse.Namespace) -> int:
         if args.write:
             write(Path(args.write), settings, '' if args.topic else name)
             print(f'{args.write}: copy it into a scenario, or fly it: '
-                  f'./rvd fly {args.write} --operator joy')
+                  f'./rvd fly {shlex.quote(args.write)} --operator joy')
             return EXIT_DONE
         if args.set_up:
             print(snippet(settings, '' if args.topic else name), end='')
@@ -87,6 +91,8 @@ def of_device(settings: JoystickParams) -> Iterator[tuple[Source, str]]:
 @contextmanager
 def of_topic(topic: str) -> Iterator[tuple[Source, str]]:
     """Yield what reads the newest Joy of a topic, and the topic's name."""
+    asked_for()                                 # refused if it is no domain id
+    os.environ.setdefault('ROS_LOG_DIR', tempfile.gettempdir())     # and not ~/.ros
     import rclpy
     from rclpy.executors import ExternalShutdownException
     from rclpy.node import Node

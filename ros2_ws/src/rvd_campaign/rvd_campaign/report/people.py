@@ -53,7 +53,9 @@ def write_session_report(folder: Path) -> Path:
     ValueError
         If no rated flight is in it.
     """
-    session = json.loads((folder / SESSION).read_text(encoding='utf-8'))
+    session = _object(folder / SESSION)
+    if not isinstance(session.get('conditions'), dict) or 'title' not in session:
+        raise BadInput(f'{folder / SESSION} is damaged: it has no title or no conditions')
     flights, left_out = read_flights(folder)
     if not any(not flight['training'] for flight in flights):
         raise BadInput(f'session {folder} has no rated flight yet')
@@ -71,26 +73,47 @@ def read_flights(folder: Path) -> tuple[list[dict[str, Any]], int]:
     """Return a row per rated flight, training too, and how many flights are not rated."""
     rows, left_out = [], 0
     for file in sorted(folder.glob('P*/*/verdict.json')):
-        verdict = json.loads(file.read_text(encoding='utf-8'))
+        verdict = _object(file)
         ratings_file = file.with_name(RATINGS)
         if not ratings_file.is_file():
             left_out += 1
             continue
-        ratings = json.loads(ratings_file.read_text(encoding='utf-8'))
-        rows.append({
-            **{key: ratings[key] for key in ('volunteer', 'number', 'condition', 'mode',
-                                             'training', 'seed')},
-            'reason': verdict['reason'], 'success': verdict['success'],
-            'duration_s': verdict.get('duration_s'),
-            **{name: m['value'] for name, m in verdict.get('measures', {}).items()},
-            'cooper_harper': ratings['cooper_harper']['rating'], 'tlx': ratings['tlx']['mean'],
-            'tlx_weighted': _weighted(ratings, file.parent.parent)})
+        ratings = _object(ratings_file)
+        try:
+            rows.append(_flown(file, verdict, ratings))
+        except (KeyError, TypeError) as error:
+            raise BadInput(f'{file.parent}: verdict.json or {RATINGS} is damaged: {error!r}: mend '
+                           'it, or move the folder out of the session') from None
     return rows, left_out
+
+
+def _object(file: Path) -> dict[str, Any]:
+    """Return what a JSON file of a session holds, or refuse it by its name."""
+    try:
+        content = json.loads(file.read_text(encoding='utf-8'))
+    except OSError as error:
+        raise BadInput(f'cannot read {file}: {error.strerror}') from None
+    except ValueError as error:
+        raise BadInput(f'{file} is damaged: {error}') from None
+    if not isinstance(content, dict):
+        raise BadInput(f'{file} is damaged: it holds no object')
+    return content
+
+
+def _flown(file: Path, verdict: dict[str, Any], ratings: dict[str, Any]) -> dict[str, Any]:
+    return {
+        **{key: ratings[key] for key in ('volunteer', 'number', 'condition', 'mode',
+                                         'training', 'seed')},
+        'reason': verdict['reason'], 'success': verdict['success'],
+        'duration_s': verdict.get('duration_s'),
+        **{name: m['value'] for name, m in verdict.get('measures', {}).items()},
+        'cooper_harper': ratings['cooper_harper']['rating'], 'tlx': ratings['tlx']['mean'],
+        'tlx_weighted': _weighted(ratings, file.parent.parent)}
 
 
 def _known(folder: Path) -> dict[str, dict[str, Any]]:
     """Return words, unit and digits of the measures of those missions flown that are installed."""
-    missions = {json.loads(file.read_text(encoding='utf-8')).get('mission', DEFAULT_MISSION)
+    missions = {_object(file).get('mission', DEFAULT_MISSION)
                 for file in folder.glob('P*/*/verdict.json')}
     return {name: said for mission in sorted(missions & set(installed())) for name, said in
             declared(judge_of(Scenario(mission, find(mission), {})).measures).items()}
@@ -105,7 +128,7 @@ def _measures(flights: list[dict[str, Any]]) -> list[str]:
 def _weighted(ratings: dict[str, Any], volunteer: Path) -> float | None:
     """Return the weighted workload of a flight; None where the pairs were not asked for."""
     file = volunteer / WEIGHTS
-    asked = json.loads(file.read_text(encoding='utf-8')) if file.is_file() else {}
+    asked = _object(file) if file.is_file() else {}
     weights = asked.get(ratings['condition'])
     if weights is None:
         return None

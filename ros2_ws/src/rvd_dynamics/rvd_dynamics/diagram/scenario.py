@@ -28,6 +28,7 @@ from rvd_dynamics.diagram.run import DEFAULT_MISSION, Run
 SHARED = '/**'
 MAX_BYTES = 1 << 20             # a scenario is a page; a gigabyte is an accident or an attack
 MAX_DEPTH = 20
+NOT_YAML = yaml.YAMLError, ValueError, LookupError, RecursionError      # `!!bool x` is a KeyError
 SET_AT_BRING_UP = {(SHARED, 'nodes'), ('bag_recorder', 'bag_dir')}
 
 
@@ -370,7 +371,7 @@ def mapping_of(text: str, what: str) -> dict:
         raise ScenarioError(f'{what}: {error}') from None
     except RecursionError:
         raise ScenarioError(f'{what}: nested deeper than {MAX_DEPTH}') from None
-    except (yaml.YAMLError, ValueError, LookupError) as error:      # `!!bool x` is a KeyError
+    except NOT_YAML as error:
         line = ' '.join(str(error).split())
         raise ScenarioError(f'{what} is not valid YAML: {line}') from None
     if not isinstance(tree, dict):

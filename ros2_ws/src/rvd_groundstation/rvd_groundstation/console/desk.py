@@ -22,10 +22,9 @@ from pathlib import Path
 from random import Random
 from typing import Any
 
-import yaml
-
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.display import MODES
+from rvd_dynamics.diagram.scenario import mapping_of, text_of
 from rvd_dynamics.recording import whole
 
 TLX = ('mental', 'physical', 'temporal', 'performance', 'effort', 'frustration')
@@ -76,13 +75,8 @@ def read_session(path: Path) -> Session:
     ValueError
         With one line that names the file and what is wrong.
     """
-    try:
-        tree = yaml.safe_load(path.read_text(encoding='utf-8'))
-    except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
-        raise BadInput(f'cannot read session {path}: {" ".join(str(error).split())}') from None
-    if not isinstance(tree, dict):
-        raise BadInput(f'session {path} must hold {", ".join(KEYS)}')
-    unknown = sorted(set(tree) - set(KEYS))
+    tree = mapping_of(text_of(path, 'session'), f'session {path}')
+    unknown = [key for key in tree if key not in KEYS]
     if unknown:
         raise BadInput(f'session {path}: unknown key {unknown[0]}; known: {", ".join(KEYS)}')
     conditions = tree.get('conditions')

@@ -119,7 +119,7 @@ def parsed(argv: list[str]) -> Arguments:
             node, _, key = key.rpartition(':')
             try:
                 given = yaml.safe_load(value)
-            except yaml.YAMLError:
+            except scenarios.NOT_YAML:
                 raise BadInput(f'{flag} {word}: the value is not valid YAML') from None
             if key in OF_THE_PROCESS:
                 process[key] = given
