@@ -31,6 +31,8 @@ BAD = {
     'figures into nowhere': (['bench', 'loop', '--out', 'no/such.json'], 'no is no folder'),
     'pilot into nowhere': (['calibrate', '--out', 'no/such.yaml'], 'no is no folder'),
     'stick into nowhere': (['stick', '--write', 'no/such.yaml'], 'no is no folder'),
+    'session without a console': (['fly', '--session', 'x'], '--session goes with --operator console'),
+    'certificate without a console': (['fly', '--tls-cert', 'x'], '--tls-cert goes with'),
     'report of nothing': (['report', 'nowhere'], 'nowhere'),
     'list of nothing': (['list', 'moons'], 'moons'),
 }

@@ -125,12 +125,12 @@ def _add_fly(commands: argparse._SubParsersAction) -> None:
     fly.add_argument('--headless', action='store_true',
                      help='no live progress and no markers for viewers')
     console = fly.add_argument_group('with --operator console')
-    console.add_argument('--port', type=int, default=8480, metavar='N',
+    console.add_argument('--port', type=int, metavar='N',
                          help='port of the page (default: 8480; 0: any free port)')
-    console.add_argument('--bind', default='127.0.0.1', metavar='ADDRESS',
-                         help='address of the page; any but 127.0.0.1 needs TLS')
-    console.add_argument('--tls-cert', default='', metavar='FILE', help='TLS certificate')
-    console.add_argument('--tls-key', default='', metavar='FILE', help='key of the certificate')
+    console.add_argument('--bind', metavar='ADDRESS',
+                         help='address of the page (default: 127.0.0.1); any but 127.0.0.1 needs TLS')
+    console.add_argument('--tls-cert', metavar='FILE', help='TLS certificate')
+    console.add_argument('--tls-key', metavar='FILE', help='key of the certificate')
     console.add_argument('--session', metavar='FILE',
                          help='lead a volunteer through the flights of a session file')
     fly.set_defaults(run=_fly)

@@ -10,6 +10,9 @@ from rvd_campaign.flight.domain import reserved_domain
 from rvd_campaign.interrupts import all_like_ctrl_c
 
 
+CONSOLE = {'port': 8480, 'bind': '127.0.0.1', 'tls_cert': '', 'tls_key': '', 'session': None}
+
+
 def main(args: argparse.Namespace) -> int:
     """Fly one approach as the command line asks; return the exit code."""
     again = None
@@ -25,7 +28,7 @@ def main(args: argparse.Namespace) -> int:
     scenario.diagram                            # refused now if it must be
     fly.check_foreign(scenario)
     preflight.check()
-    if 'console' in (args.operator, fly.operator_of(scenario)):
+    if _for_the_console(args, 'console' in (args.operator, fly.operator_of(scenario))):
         from rvd_campaign.flight import console
         return console.main(args, scenario)
     all_like_ctrl_c()
@@ -38,3 +41,13 @@ def main(args: argparse.Namespace) -> int:
     if again and code in (EXIT_DONE, EXIT_FAILED):
         print(again.compared(args, verdict.read(run_dir / 'verdict.json')), flush=True)
     return code
+
+
+def _for_the_console(args: argparse.Namespace, wanted: bool) -> bool:
+    """Give the console's options their defaults if it is wanted, else refuse those that are given."""
+    for name, usual in CONSOLE.items():
+        if getattr(args, name) is None:
+            setattr(args, name, usual)
+        elif not wanted:
+            raise CannotRun(f'--{name.replace("_", "-")} goes with --operator console')
+    return wanted

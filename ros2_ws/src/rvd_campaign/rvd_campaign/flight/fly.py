@@ -215,9 +215,10 @@ class Flight:
 
     def _follow(self) -> str | None:
         """Return None when the run has ended, or the sentence that says why it could not."""
-        begun = time.monotonic()
+        begun, gone_at = time.monotonic(), None
         while True:
-            begun += self._look(SHOW_S if self._watch.steps else 0.05)
+            stopped_s = self._look(SHOW_S if self._watch.steps else 0.05)
+            begun += stopped_s
             if self._stop_asked():
                 raise KeyboardInterrupt
             if self._is_final(self._watch.verdict):
@@ -232,6 +233,11 @@ class Flight:
                     return None
                 return self._supervisor.complaint() or 'the run ended without a verdict'
             now = time.monotonic()
+            gone = self._gone()
+            if gone:                            # told to, by somebody else; the others go on
+                gone_at = now if gone_at is None else gone_at + stopped_s
+                if now - gone_at > END_S:
+                    return f'{", ".join(gone)} ended before the run was over'
             if not self._watch.steps and now - begun > START_S:
                 foreign = [e for e in self._roster.diagram.externals if e.foreign]
                 silent = [topic for e in foreign for topic in e.writes
@@ -245,6 +251,12 @@ class Flight:
                         f'{", ".join(waiting) or self._roster.diagram.plant}')
             if self._stalled(now):
                 return f'no step for {STALL_S:g} s of wall time: {self._owing()}'
+
+    def _gone(self) -> list[str]:
+        """Return our nodes that have ended well, as all do within `END_S` once the run is over."""
+        foreign = {e.name for e in self._roster.diagram.externals if e.foreign}
+        return sorted(name for name, code in self._supervisor.codes.items()
+                      if code == 0 and name not in foreign)
 
     def _look(self, seconds: float) -> float:
         """
