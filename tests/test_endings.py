@@ -92,22 +92,6 @@ def test_a_killed_recorder_loses_nothing_it_had_received(flying, tmp_path):
     assert len(steps) > 5 and list(steps) == list(range(len(steps)))
 
 
-def test_a_node_that_ended_well_while_the_run_goes_on_is_named(monkeypatch):
-    from types import SimpleNamespace
-
-    from rvd_campaign.flight import fly
-    monkeypatch.setattr(fly, 'END_S', 0.1)
-    flight = object.__new__(fly.Flight)
-    flight._headless, flight._on_line, flight._stop_asked = True, False, lambda: False
-    flight._roster = SimpleNamespace(diagram=SimpleNamespace(
-        externals=[SimpleNamespace(name='joy', foreign=True)]))
-    flight._supervisor = SimpleNamespace(codes={'joy': 0, 'bag_recorder': 0}, ended=False,
-                                         failures=dict)
-    flight._watch = SimpleNamespace(spin=lambda s: time.sleep(0.01), new_events=list, steps=1,
-                                    verdict=None, paused=True)
-    assert flight._follow() == 'bag_recorder ended before the run was over'
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize('name', ['bag_recorder', 'mission_monitor'])
 def test_a_run_does_not_go_on_without_a_node_that_somebody_has_ended(name, flying, tmp_path):

@@ -3,12 +3,19 @@
 import os
 import re
 import signal
+import time
 
 import pytest
+import rclpy
+from rclpy.serialization import serialize_message
 from runs import end, in_flight, messages, ROOT, rvd, start_rvd, wait_for
+from std_msgs.msg import String
 
 from rvd_campaign.flight.domain import reserved_domain
 from rvd_dynamics.diagram import identity
+from rvd_dynamics.diagram.ros.arguments import parsed
+from rvd_dynamics.diagram.ros.host import Host
+from rvd_dynamics.diagram.ros.main import make
 
 OTHER = r'another run (is in|has come into) ROS_DOMAIN_ID=(\d+): .*run [0-9a-f]{32} of machine \w+'
 
@@ -42,6 +49,47 @@ def test_the_enclave_that_ros_is_told_last_counts(monkeypatch):
     assert identity.own_run(['node', '--ros-args', '--enclave', '/a', '-e', '/b']) == '/b'
     monkeypatch.setenv('ROS_SECURITY_ENCLAVE_OVERRIDE', '/secured')
     assert identity.own_run(['node', '--ros-args', '--enclave', '/a']) == '/secured'
+
+
+@pytest.fixture
+def plant(own_domain, monkeypatch):
+    """Return the plant of a run, of whose nodes no other has yet been heard."""
+    monkeypatch.setenv('RVD_LEAN', '1')
+    words = ['/x/spacecraft_dynamics', '--ros-args', '--enclave', identity.new_run()]
+    rclpy.init(args=words)
+    host = Host(parsed(words))
+    make(host, ('spacecraft_dynamics',))
+    yield host.nodes['spacecraft_dynamics']
+    host.nodes['spacecraft_dynamics'].destroy_node()
+    rclpy.try_shutdown()
+
+
+def is_ready(plant, node, run, at_ns):
+    """Let a plant hear that a node of a run was ready at a time, by the clock of its writer."""
+    plant._heard_ready(serialize_message(String(data=identity.ready_words(node, run))),
+                       {'source_timestamp': at_ns})
+
+
+def start(plant):
+    for node in plant.roster.names:
+        is_ready(plant, node, plant.host.run_id, time.time_ns())
+    return plant._started_ns
+
+
+def test_a_run_in_flight_goes_on_when_another_is_ready_later_and_says_so_once(plant):
+    told = []
+    plant.event = lambda code, text: told.append((code, text))
+    later, other = start(plant) + 1, identity.new_run()
+    for node in ('auto_controller', 'command_blender'):
+        is_ready(plant, node, other, later)
+    assert [code for code, _ in told] == ['STRANGER'] and identity.in_words(other) in told[0][1]
+
+
+@pytest.mark.parametrize('started', [False, True])
+def test_a_run_ends_when_another_was_ready_before_it_started(plant, started):
+    before = start(plant) if started else time.time_ns()
+    with pytest.raises(ValueError, match='another run has come into ROS_DOMAIN_ID='):
+        is_ready(plant, 'link_back', identity.new_run(), before)
 
 
 # -- one user: the domain is locked ------------------------------------------------------------------
@@ -102,7 +150,8 @@ def test_a_run_that_comes_into_anothers_domain_ends_and_the_other_one_flies_on(
     told = messages(tmp_path / 'first', '/run/scenario')
     assert len(told) == 1 and 'seed: 3' in told[0].data
     ready = [m.data.split() for m in messages(tmp_path / 'first', '/run/ready')]
-    assert len({run for _, run in ready}) == 1 and len(ready) == len({node for node, _ in ready})
+    ours = [node for node, run in ready if run == ready[0][1]]
+    assert len(ours) == len(set(ours)) == 11    # the other may have said that it was ready, as itself
     steps = [m.step for m in messages(tmp_path / 'first', '/onboard/measurement')]
     assert steps == list(range(len(steps)))     # one writer, from first to last
 

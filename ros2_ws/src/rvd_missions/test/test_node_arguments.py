@@ -142,6 +142,13 @@ def test_a_bad_override_is_refused_in_one_line(word, words):
     assert words in str(caught.value) and '\n' not in str(caught.value)
 
 
+@pytest.mark.parametrize('words', [['-p', 'seed:=7'], ['--bogus'],
+                                   ['--ros-args', '-p', 'seed:=7', '--', 'left']])
+def test_what_ros_would_leave_unread_is_refused(words):
+    with pytest.raises(ValueError, match='unknown argument .* after --ros-args, such as'):
+        parsed([ROS[0], *words])
+
+
 @pytest.fixture
 def ros(monkeypatch):
     monkeypatch.setenv('ROS_AUTOMATIC_DISCOVERY_RANGE', 'OFF')
@@ -161,7 +168,7 @@ NODES = {
     'a group without a name': (['block_group', '-p', 'processes:=one'],
                                "group must be one of one with processes one, got ''"),
     'no place for a bag': (['bag_recorder'], 'bag_recorder: bag_dir must name a directory'),
-    'arguments that are none of ROS': (['relative_sensor', '--warp'], "bad ROS arguments: ['--warp']"),
+    'arguments that are none of ROS': (['relative_sensor', '--warp'], "ROS does not start: ['--warp']"),
     'no such file': (['relative_sensor', '--params-file', '/nowhere.yaml'],
                      'cannot read parameter file /nowhere.yaml: No such file'),
 }
@@ -178,6 +185,15 @@ def test_a_process_that_cannot_run_says_so_in_one_line_and_ends_with_code_2(
     assert ended.value.code == 2
     lines = [line for line in capfd.readouterr().err.splitlines() if '[rcl]' not in line]
     assert len(lines) == 1 and said in lines[0], lines
+
+
+@pytest.mark.parametrize('domain, said', [('999', 'ROS_DOMAIN_ID=999 must be from 0 to 232'),
+                                          ('abc', 'ROS_DOMAIN_ID is not an integral number')])
+def test_a_domain_that_dds_does_not_have_is_refused(domain, said, ros, capfd, monkeypatch):
+    monkeypatch.setenv('ROS_DOMAIN_ID', domain)
+    with pytest.raises(SystemExit, match='2'):
+        run(lambda host: make(host, ('relative_sensor',)), parsed(ROS), ROS)
+    assert said in capfd.readouterr().err
 
 
 # -- parameters that are served ------------------------------------------------------------------

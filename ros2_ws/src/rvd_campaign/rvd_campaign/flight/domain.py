@@ -19,10 +19,10 @@ import tempfile
 import time
 
 from rvd_campaign.exits import CannotRun
+from rvd_dynamics.diagram.identity import LARGEST_DOMAIN
 
 # Above 101 the ports of a domain reach into the range that Linux gives to outgoing connections.
 IDS = range(1, 102)
-LARGEST = 232
 FIRST_PORT, PORTS = 7400, 250           # UDP ports of domain 0, and how many each domain has
 SOCKETS = Path('/proc/net/udp')
 
@@ -75,8 +75,10 @@ def asked_for() -> int | None:
     given = os.environ.get('ROS_DOMAIN_ID', '')
     if not given:
         return None
-    if not (given.isascii() and given.isdecimal() and len(given) < 10 and int(given) <= LARGEST):
-        raise CannotRun(f'ROS_DOMAIN_ID must be a whole number from 0 to {LARGEST}, got {given!r}')
+    if not (given.isascii() and given.isdecimal() and len(given) < 10
+            and int(given) <= LARGEST_DOMAIN):
+        raise CannotRun(
+            f'ROS_DOMAIN_ID must be a whole number from 0 to {LARGEST_DOMAIN}, got {given!r}')
     return int(given)
 
 

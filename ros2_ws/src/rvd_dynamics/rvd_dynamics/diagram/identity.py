@@ -18,6 +18,7 @@ import socket
 import uuid
 
 AREA = '/rvd/'
+LARGEST_DOMAIN = 232            # a larger ROS_DOMAIN_ID has no ports (DDSI-RTPS 9.6.1.4)
 
 
 def new_run() -> str:

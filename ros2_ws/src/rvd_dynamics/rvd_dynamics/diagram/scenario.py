@@ -244,7 +244,10 @@ _Dumper.add_representer(str, _text)
 
 
 class _Loader(yaml.SafeLoader):
-    """Refuses what a scenario never needs: anchors (bombs) and keys given twice."""
+    """
+    Refuses what a scenario never needs: anchors (bombs), keys given twice, and numbers that YAML
+    1.1 does not take as they are written: 1:30 is 90 to it, and 010 is 8.
+    """
 
     def compose_node(self, parent: Any, index: Any) -> Any:
         if self.check_event(yaml.events.AliasEvent):
@@ -258,6 +261,18 @@ class _Loader(yaml.SafeLoader):
             raise ScenarioError(f'line {node.start_mark.line + 1}: key given twice: '
                                 f'{", ".join(sorted(map(str, twice)))}')
         return super().construct_mapping(node, deep)
+
+    def construct_number(self, node: Any) -> int | float:
+        plain = node.tag.endswith(':int')
+        value = self.construct_yaml_int(node) if plain else self.construct_yaml_float(node)
+        if ':' in node.value or plain and re.match(r'[-+]?0[0-9_]', node.value):
+            raise ScenarioError(f'line {node.start_mark.line + 1}: {node.value} would be read as '
+                                f'{value}: write the number in decimal')
+        return value
+
+
+for _tag in ('int', 'float'):
+    _Loader.add_constructor(f'tag:yaml.org,2002:{_tag}', _Loader.construct_number)
 
 
 def load(path: Path) -> Scenario:

@@ -103,8 +103,10 @@ def parsed(argv: list[str]) -> Arguments:
     Raises
     ------
     ValueError
-        If an override has not the form NAME:=VALUE, or its value is not YAML.
+        If an override has not the form NAME:=VALUE, its value is not YAML, or a word stands
+        where ROS would not read it.
     """
+    _check_words(argv[1:])
     executable = argv[0].rsplit('/', 1)[-1].removesuffix('.py')
     name, files, overrides, process = executable, [], [], {}
     for flag, word in zip(argv[1:], argv[2:]):
@@ -126,3 +128,16 @@ def parsed(argv: list[str]) -> Arguments:
             else:
                 overrides.append((node, key, given))
     return Arguments(executable, name, tuple(files), tuple(overrides), process, own_run(argv))
+
+
+def _check_words(words: list[str]) -> None:
+    """Refuse what ROS would leave unread: a node takes nothing but ROS arguments."""
+    of_ros = False
+    for word in words:
+        if word == '--ros-args':
+            of_ros = True
+        elif word == '--':
+            of_ros = False
+        elif not of_ros:
+            raise BadInput(f'unknown argument {word!r}: a node takes ROS arguments, after '
+                           '--ros-args, such as --params-file FILE, -p NAME:=VALUE, -r __node:=NAME')

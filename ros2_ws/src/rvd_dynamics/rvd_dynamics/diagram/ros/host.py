@@ -11,6 +11,7 @@ from collections import defaultdict
 from collections.abc import Callable
 import importlib
 import os
+import re
 import sys
 import time
 from typing import Any
@@ -301,8 +302,12 @@ def _signals() -> SignalHandlerOptions:
 def _init(argv: list[str]) -> None:
     try:
         rclpy.init(args=argv, signal_handler_options=_signals())
-    except RuntimeError as error:               # RCLError: arguments that are none of ROS
-        raise BadInput(f'bad ROS arguments: {" ".join(str(error).split())}') from None
+    except RuntimeError as error:               # RCLError: arguments that are none of ROS, no HOME
+        said = re.sub(r', at \S+:\d+$', '', ' '.join(str(error).split()))
+        raise BadInput(f'ROS does not start: {said}') from None
+    domain = rclpy.get_default_context().get_domain_id()
+    if domain > identity.LARGEST_DOMAIN:                     # DDS would end the process without a word of ours
+        raise BadInput(f'ROS_DOMAIN_ID={domain} must be from 0 to {identity.LARGEST_DOMAIN}')
 
 
 def run(make: Callable[[Host], None], arguments: Arguments, argv: list[str]) -> None:

@@ -3,6 +3,7 @@
 import time
 from typing import Any
 
+from rclpy.serialization import deserialize_message
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import Bool, String, UInt64
 
@@ -10,6 +11,7 @@ from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.diagram.block import Block
 from rvd_dynamics.diagram.identity import in_words, who_is_ready
+from rvd_dynamics.diagram.ros import qos
 from rvd_dynamics.diagram.ros.block_node import BlockNode
 from rvd_dynamics.diagram.ros.host import Host, SLICE_S
 from rvd_dynamics.diagram.ros.wire import Layout
@@ -29,8 +31,10 @@ class PlantNode(BlockNode):
 
     def __init__(self, host: Host, block: Block) -> None:
         super().__init__(host, block)
-        self._started = self._paused = False
+        self._paused = False
+        self._started_ns: int | None = None     # wall time
         self._recorded: int | None = None
+        self._strangers: set[str] = set()       # runs that came into this one
         self._waiting_for = set(self.roster.names) - {
             e.name for e in self.roster.externals.values() if e.foreign}
         self._time, self._time_layout = self.writer('/clock', Clock), Layout(Clock)
@@ -42,7 +46,8 @@ class PlantNode(BlockNode):
     def connect(self) -> None:
         """Subscribe, also to what the run says about itself."""
         super().connect()
-        self.watch('/run/ready', String, lambda message: self._heard_ready(message.data))
+        self.watch_raw('/run/ready', String, self._heard_ready,
+                       qos.taken('/run/ready', self.held))
         self.listen('/run/pause', Bool, lambda _, message: self._on_pause(message.data))
         if RECORDER in self.roster.names:
             self._recorded = -1
@@ -69,7 +74,7 @@ class PlantNode(BlockNode):
 
     def may_fire(self) -> bool:
         """In lock step, say whether the next step is due; in real time the clock alone does."""
-        return (self._started and not self.realtime and not self._paused and not self._too_far()
+        return (self._started_ns is not None and not self.realtime and not self._paused and not self._too_far()
                 and super().may_fire())
 
     def _too_far(self) -> bool:
@@ -85,19 +90,37 @@ class PlantNode(BlockNode):
         self.host.publish(self._story, '/run/scenario', -1,
                           String(data=self.host.arguments.text()))
 
-    def _heard_ready(self, words: str) -> None:
+    def _heard_ready(self, data: bytes, info: dict) -> None:
+        words = deserialize_message(data, String).data
         name, run = who_is_ready(words, self.host.run_id)
-        if run != self.host.run_id:             # both had begun before they met
-            raise BadInput(f'another run has come into ROS_DOMAIN_ID='
-                           f'{self.context.get_domain_id()}: {in_words(run)}; give each run its own')
-        self._waiting_for.discard(name)
-        if self._waiting_for or self._started:
+        if run != self.host.run_id:
+            self._met(run, info['source_timestamp'])
             return
-        self._started = True
+        self._waiting_for.discard(name)
+        if self._waiting_for or self._started_ns is not None:
+            return
+        self._started_ns = time.time_ns()
         if self.realtime:
             self._step_s = self.run.step_s / self.run.pace_factor
             self._origin = self._ticked = time.monotonic()
             self.create_timer(self._step_s / TICKS_PER_STEP, self.guarded(self._tick))
+
+    def _met(self, run: str, ready_ns: int) -> None:
+        """
+        End if another run was ready before this one had started; else go on, and say so.
+
+        Of two runs that each had begun before they met, at least one ends, however their clocks
+        differ: a run that goes on has started before all that the other was ready for, and the
+        other was ready before it started.
+        """
+        domain = self.context.get_domain_id()
+        if self._started_ns is None or ready_ns <= self._started_ns:
+            raise BadInput(f'another run has come into ROS_DOMAIN_ID={domain}: {in_words(run)}; '
+                           'give each run its own')
+        if run not in self._strangers:
+            self._strangers.add(run)
+            self.event('STRANGER', f'another run has come into ROS_DOMAIN_ID={domain} and was '
+                       f'refused: {in_words(run)}; give each run its own')
 
     def _tick(self) -> None:
         now = time.monotonic()
@@ -126,5 +149,5 @@ class PlantNode(BlockNode):
         self._paused = paused
         self.event('PAUSE' if paused else 'RESUME', 'simulation time '
                    + ('stands still' if paused else 'goes on'))
-        if self._started and self.realtime and not paused:
+        if self._started_ns is not None and self.realtime and not paused:
             self._origin = time.monotonic() - self._next * self._step_s
