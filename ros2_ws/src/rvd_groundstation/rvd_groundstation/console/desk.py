@@ -206,7 +206,7 @@ class Desk:
 
         Raises
         ------
-        ValueError
+        BadInput
             With a short code when it does not fit the stage or a rating is incomplete.
         """
         act = content.get('act')

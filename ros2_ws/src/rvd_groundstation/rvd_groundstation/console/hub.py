@@ -21,6 +21,7 @@ from rvd_groundstation.console.protocol import (
     encode, flight_wish, NEEDS_LEASE, PAGE_BURST, PAGE_RATE, Refused, RELEASED, Request,
     request_of, Stick, stick_of)
 from rvd_groundstation.console.provider import MissionDisplay
+from rvd_dynamics.bad_input import BadInput
 
 FRAME_S = 1.0 / 30              # [s] wall time: a page gets no more frames than this
 WATCH_S = 0.1                   # [s] likewise, pages that only watch
@@ -219,7 +220,7 @@ class Hub:
             raise Refused('NO_DESK')
         try:
             order = self.desk.do(wish.content)
-        except ValueError as error:
+        except BadInput as error:
             raise Refused(str(error)) from None
         if order is not None:
             self.phase = 'starting'

@@ -46,7 +46,7 @@ async def load(runs: Path | None, name: str) -> bytes:
     ------
     FileNotFoundError
         If there is no such finished run below `runs`.
-    ValueError
+    BadInput
         If its bag holds nothing that can be shown.
     """
     if runs is None or name.startswith('-'):

@@ -174,7 +174,7 @@ class Server:
             body = await review.load(self._runs, name)
         except FileNotFoundError:
             return _plain(404, 'no such run')
-        except ValueError as error:
+        except BadInput as error:
             return _plain(422, str(error))
         response = web.Response(body=body, content_type='application/json')
         response.enable_compression()
