@@ -3,7 +3,8 @@
 from setuptools import find_packages, setup
 
 NAME = 'rvd_missions'
-MISSIONS = ['lunar_approach']
+MISSIONS = ['lunar_approach', 'attitude_hold']
+BLOCKS = ['attitude_dynamics', 'attitude_sensors', 'attitude_controller']
 
 setup(
     name=NAME,
@@ -20,5 +21,7 @@ setup(
     maintainer_email='maintainers@example.org',
     description='The missions: diagrams, judges, figures and displays.',
     license='Apache-2.0',
-    entry_points={'rvd.missions': [f'{name} = {NAME}.{name}:MISSION' for name in MISSIONS]},
+    entry_points={
+        'rvd.missions': [f'{name} = {NAME}.{name}:MISSION' for name in MISSIONS],
+        'console_scripts': [f'{block} = rvd_dynamics.diagram.ros.main:main' for block in BLOCKS]},
 )
