@@ -37,4 +37,6 @@ MISSION = Mission(
     checked=('timed', 'legs'),
     diagram=f'{HERE}.diagram:diagram',
     judge=f'{HERE}.judge:Judge',
+    figures=f'{HERE}.figures:FIGURES',
+    display=f'{HERE}.display:AttitudeDisplay',
 )

@@ -1,8 +1,8 @@
 """
 What a law needs around it, on board or on the ground: past samples, and the command that acted.
 
-A sample that was lost is replaced by the straight line through the two before it, for as long as
-`Settings.bridged_steps`; then the attitude is unknown and the command neutral.
+A sample that was lost is replaced by the straight line through the two before it, up to BRIDGED
+times in a row; then the attitude is unknown and the command neutral.
 """
 
 from collections import deque

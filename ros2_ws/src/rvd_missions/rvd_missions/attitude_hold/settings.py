@@ -22,8 +22,8 @@ class Placement:
     """Where the law runs."""
 
     law_runs: str = param(
-        'onboard', 'Where the law runs: onboard, without a link, or on the ground, behind the '
-        'delays of both legs.', choices=PLACES)
+        'ground', 'Where the law runs: on the ground, behind the delays of both legs, or onboard, '
+        'without a link.', choices=PLACES)
 
 
 @settings
