@@ -38,5 +38,6 @@ MISSION = Mission(
     diagram=f'{HERE}.diagram:diagram',
     judge=f'{HERE}.judge:Judge',
     figures=f'{HERE}.figures:FIGURES',
+    campaign_figures=f'{HERE}.campaign_figures:FIGURES',
     display=f'{HERE}.display:AttitudeDisplay',
 )

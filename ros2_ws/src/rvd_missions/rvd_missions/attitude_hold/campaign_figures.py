@@ -1,0 +1,90 @@
+"""
+The figure of a campaign over faults: each measure with both laws, and the paired difference.
+"""
+
+from typing import Any, TYPE_CHECKING
+
+import numpy as np
+
+from rvd_dynamics.recording.drawing import (
+    BLUE, CampaignFigure, canvas, GREEN, INK, MUTED, ORANGE, VERMILLION)
+from rvd_missions.attitude_hold.comparison import LAWS, Mean, Row, rows
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure as Canvas
+
+DRAWN = {'rms_final_deg': 'rms at the end [deg]', 'overshoot_deg': 'overshoot [deg]',
+         'settling_s': 'time to settle [s]'}
+LOOKS = {'golden_section': (BLUE, 'o'), 'pid': (VERMILLION, 's')}
+GROUPS = INK, GREEN, ORANGE, MUTED              # of cells that share all but the first word
+
+
+def comparison(results: Any) -> tuple['Canvas', str]:
+    """Draw the means of both laws, and golden_section minus pid run by run."""
+    found = rows(results.tables, tuple(DRAWN))
+    figure = canvas(0.9 + 2.1*len(DRAWN), top=0.5, hspace=0.16, wspace=0.20)
+    panels = figure.subplots(len(DRAWN), 2, squeeze=False, sharex=True)
+    names = list(dict.fromkeys(_split(row.cell)[0] for row in found))
+    groups = list(dict.fromkeys(_split(row.cell)[1] for row in found))
+    for (left, right), (measure, label) in zip(panels, DRAWN.items()):
+        chosen = [row for row in found if row.measure == measure]
+        _levels(left, chosen, names, groups)
+        _differences(right, chosen, names, groups)
+        left.set(ylabel=label, yscale='log')
+        right.axhline(0.0, color=INK, linewidth=1.0)
+    panels[0, 0].set_title('Mean with each law')
+    panels[0, 1].set_title('golden_section minus pid, run by run')
+    for axes in panels[-1]:
+        axes.set_xticks(range(len(names)), names, rotation=30, ha='right', fontsize=7.5)
+    panels[0, 0].legend(loc='best')
+    if len(groups) > 1:
+        panels[0, 1].legend(loc='best', ncols=len(groups))
+    figure.subplots_adjust(bottom=0.85/figure.get_figheight())
+    return figure, (
+        'Left: means over all runs in which the measure is known. Right: mean of the paired '
+        'difference with its 95 % interval (Student), each on its own; below 0 golden_section has '
+        'the smaller value. ' + ' '.join(_count(found, measure) for measure in DRAWN))
+
+
+def _split(cell: str) -> tuple[str, str]:
+    """Return the first axis of a cell and the others, without the names of axes."""
+    first, *rest = [word.partition('=')[2] for word in cell.split(',')] or ['']
+    return first, ', '.join(rest)
+
+
+def _place(row: Row, names: list[str], groups: list[str]) -> tuple[float, int]:
+    name, group = _split(row.cell)
+    at = groups.index(group)
+    return names.index(name) + 0.22*(at - 0.5*(len(groups) - 1)), at
+
+
+def _levels(axes: 'Axes', chosen: list[Row], names: list[str], groups: list[str]) -> None:
+    for law, which in zip(LAWS, ('first', 'second')):
+        colour, marker = LOOKS[law]
+        x = [_place(row, names, groups)[0] for row in chosen]
+        y = [getattr(row, which).value for row in chosen]
+        axes.plot(x, np.maximum(y, 1e-9), marker, color=colour, markersize=4.0, label=law)
+
+
+def _differences(axes: 'Axes', chosen: list[Row], names: list[str], groups: list[str]) -> None:
+    seen = set()
+    for row in chosen:
+        x, at = _place(row, names, groups)
+        colour = GROUPS[at % len(GROUPS)]
+        d: Mean = row.difference
+        axes.plot([x, x], [d.low, d.high], color=colour, linewidth=2.0)
+        axes.plot(x, d.value, 'o', color=colour, markersize=3.5,
+                  label=None if at in seen else groups[at])
+        seen.add(at)
+
+
+def _count(found: list[Row], measure: str) -> str:
+    signs = [row.difference.sign for row in found if row.measure == measure]
+    return (f'{DRAWN[measure].partition(" [")[0].capitalize()}: smaller with golden_section in '
+            f'{signs.count(-1)} of {len(signs)} cells, with pid in {signs.count(1)}.')
+
+
+FIGURES = {
+    'comparison': CampaignFigure(comparison, 'golden_section against pid', tuple(DRAWN)),
+}

@@ -25,6 +25,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 P, I = RULES = 'proportional', 'integral'
 LEAST, TIMES, SCANNED = 1e-8, 100, 200  # of search and bisection
+SETTLED = 1e-3
 
 
 @dataclass(frozen=True)
@@ -188,7 +189,7 @@ class Found(NamedTuple):
 
 
 def experiment(plant: Plant, rule: str, gain: float, q: float, rng: np.random.Generator,
-               groups: int = 20, runs: int = 50, steps: int = 400, settle: int = 200) -> Found:
+               groups: int = 20, runs: int = 50, steps: int = 1000) -> Found:
     """
     Fly the loop and return which gain would have been best for the next step, with its interval.
 
@@ -197,7 +198,7 @@ def experiment(plant: Plant, rule: str, gain: float, q: float, rng: np.random.Ge
     """
     n = len(plant.b)
     x, u = np.zeros((groups*runs, n)), np.zeros(groups*runs)
-    root = _root(plant.w)
+    root, settle = _root(plant.w), settling(plant, rule, gain)
     top, below = np.zeros((2, groups*runs))
     for k in range(settle + steps):
         y = x @ plant.c + sqrt(q)*rng.standard_normal(len(u))
@@ -212,17 +213,18 @@ def experiment(plant: Plant, rule: str, gain: float, q: float, rng: np.random.Ge
 
 
 def minimum(plant: Plant, rule: str, gains: Array, q: float, rng: np.random.Generator,
-            groups: int = 20, runs: int = 50, steps: int = 400, settle: int = 200) -> Found:
+            groups: int = 20, runs: int = 50, steps: int = 1000) -> Found:
     """
     Fly the loop at several gains and return the one with the least mean |x|^2, with its interval.
 
-    All gains meet the same noise. In each group a parabola through the means over the gains is
-    taken, in the logarithm of the gain.
+    All gains meet the same noise. In each group the minimum is that of a parabola through the means
+    over the gains.
     """
-    n, size = len(plant.b), np.abs(gains)
+    n = len(plant.b)
     x = np.zeros((len(gains), groups*runs, n))
     u = np.zeros(x.shape[:2])
     root, total = _root(plant.w), np.zeros(x.shape[:2])
+    settle = max(settling(plant, rule, gain) for gain in gains)
     for k in range(settle + steps):
         noise = sqrt(q)*rng.standard_normal(groups*runs)
         y = x @ plant.c + noise
@@ -232,11 +234,16 @@ def minimum(plant: Plant, rule: str, gains: Array, q: float, rng: np.random.Gene
         if k >= settle:
             total += (x*x).sum(-1)
     means = total.reshape(len(gains), groups, runs).mean(-1)
-    curved, slope, _ = np.polyfit(np.log(size), means, 2)
+    curved, slope, _ = np.polyfit(np.asarray(gains)/gains[0], means, 2)
     found = interval(-slope/(2.0*curved))
-    sign = float(np.sign(gains[0]))
-    low, high = sorted((sign*exp(found.low), sign*exp(found.high)))
-    return Found(sign*exp(found.value), low, high)
+    low, high = sorted((float(gains[0])*found.low, float(gains[0])*found.high))
+    return Found(float(gains[0])*found.value, low, high)
+
+
+def settling(plant: Plant, rule: str, gain: float) -> int:
+    """Return after how many steps what a loop remembers of its start is below SETTLED."""
+    slowest = np.abs(np.linalg.eigvals(loop(plant, rule, gain)[0])).max()
+    return int(np.ceil(np.log(SETTLED)/np.log(slowest)))
 
 
 def interval(values: Array) -> Found:
