@@ -1,11 +1,12 @@
 """
 Make docs/parameters.md again: every parameter of a scenario of the lunar approach, read from the
-settings classes.
+settings classes. Pages of other missions with the marks PARAMETERS get their missions' own.
 
     ./rvd shell python scripts/make_parameters.py
 """
 
 from pathlib import Path
+import re
 from typing import Any
 
 from rvd_dynamics.diagram.mission import find
@@ -13,6 +14,8 @@ from rvd_dynamics.diagram.params import Bounds, default_of, leaves
 from rvd_dynamics.diagram.scenario import sections_of, SHARED
 
 PAGE = Path(__file__).resolve().parents[1] / 'docs' / 'parameters.md'
+MISSIONS = PAGE.parent / 'missions'
+PARAMETERS = re.compile('(?<=<!-- parameters -->\n).*?(?=<!-- end of parameters -->)', re.S)
 INTRODUCTION = '''\
 # Parameters
 
@@ -51,6 +54,19 @@ def page() -> str:
     for cls, names in titles.items():
         parts.append(f'\n## {", ".join(names)}\n\n{summary(cls)}\n\n{table("", cls)}')
     return ''.join(parts)
+
+
+def filled(path: Path) -> str:
+    """Return the text of a mission's page with the parameters that only this mission has."""
+    text = path.read_text(encoding='utf-8')
+    if not PARAMETERS.search(text):
+        return text
+    home, parts = f'rvd_missions.{path.stem}.', []
+    for name, classes in sections_of(find(path.stem)).items():
+        for prefix, cls in classes:
+            if cls.__module__.startswith(home) or 'types' == cls.__module__:
+                parts.append(f'\n`{name}`: {summary(cls)}\n\n{table(prefix, cls)}')
+    return PARAMETERS.sub(lambda _: ''.join(parts) + '\n', text)
 
 
 def table(prefix: str, cls: type) -> str:
@@ -95,3 +111,5 @@ def escaped(text: str) -> str:
 
 if __name__ == '__main__':
     PAGE.write_text(page(), encoding='utf-8')
+    for mission in sorted(MISSIONS.glob('*.md')):
+        mission.write_text(filled(mission), encoding='utf-8')

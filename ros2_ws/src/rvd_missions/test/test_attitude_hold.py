@@ -2,6 +2,8 @@
 
 from pathlib import Path
 
+from hypothesis import given, settings
+from hypothesis import strategies as st
 import numpy as np
 from numpy.testing import assert_allclose, assert_array_equal
 import pytest
@@ -14,8 +16,9 @@ from rvd_groundstation.console.decode import Sample
 from rvd_groundstation.console.provider import display_of
 from rvd_missions.attitude_hold import MISSION
 from rvd_missions.attitude_hold.commands import form, TorqueParams
+from rvd_missions.attitude_hold.control import Control
 from rvd_missions.attitude_hold.laws import LAWS
-from rvd_missions.attitude_hold.settings import Craft
+from rvd_missions.attitude_hold.settings import Attitude, Craft
 from rvd_missions.attitude_hold.signals import LAW, MEASUREMENT, TELEMETRY, THRUST, TRUTH
 from rvd_missions.attitude_hold.stability import loop, poles, TWO_TAPS
 
@@ -147,6 +150,31 @@ def test_a_lost_sample_is_bridged_and_a_long_outage_leaves_the_torque_at_zero():
     assert np.all(batch.history[THRUST.name].command == 0.0)
 
 
+class Noting:
+    """A law that notes what it is told of the command that acted, and asks for its own number."""
+
+    def __init__(self):
+        self.told, self.inside = [], {}
+
+    def controller(self, step_s, batch):
+        return self
+
+    def wanted(self, errors, acted, fresh):
+        self.told.append(float(acted))
+        return np.float64(1e-3*len(self.told))
+
+
+@pytest.mark.parametrize('loop_steps', [0, 1, 5])
+def test_a_law_is_told_the_command_that_acted_before_its_newest_sample(loop_steps):
+    """What was asked for in step k acts on [k + forward, ...) and is in the sample of one later."""
+    law = Noting()
+    control = Control(law, form(TorqueParams(), Craft()), Attitude(), 0.5, loop_steps, ())
+    for k in range(12):
+        control.command(k, np.float64(0.0), np.True_)
+    expected = [0.0]*(loop_steps + 1) + [1e-3*k for k in range(1, 12)]
+    assert_allclose(law.told, expected[:12], atol=1e-9)
+
+
 def test_an_abort_leaves_the_axis_to_coast():
     for place in ('ground', 'onboard'):
         batch = fly(scenario(law_runs=place), [0], record=True, schedule=[Change(20, abort=True)])
@@ -180,6 +208,16 @@ def test_measures_of_a_track_drawn_by_hand():
                     [0.01, 0.2, 0.1, 0.5, 5.0], rtol=1e-9)
     assert_allclose(v.values['rms_after_deg'], np.sqrt(np.mean(track[20:]**2)))
     assert_allclose(v.values['impulse_N_m_s'], 40*0.2*0.5)
+
+
+def test_a_reference_that_is_zero_from_the_start_has_one_step_and_one_overshoot():
+    track = np.concatenate([[0.4, 0.2, -0.1], np.zeros(58)])
+    v = judged(track, attitude__step_at_s=0.0, attitude__reference_deg=0.0, limits__window_s=10.0)
+    assert_allclose(v.values['overshoot_deg'], 0.1)
+    assert np.isnan(v.values['overshoot_first_deg']) and v.values['settling_s'] == 1.5
+    still = judged(track, attitude__step_at_s=10.0, attitude__reference_deg=0.0,
+                   limits__window_s=10.0)
+    assert np.isnan(still.values['overshoot_deg'])
 
 
 def test_a_track_that_goes_out_of_bounds_is_lost_there():
@@ -219,13 +257,14 @@ def test_the_console_shows_the_attitude_and_needles_that_turn_with_it():
         TELEMETRY.name: Sample(1, 0.5, True, {'state': [0.01, 0.0]}),
         LAW.name: Sample(1, 0.5, True, {'error': 0.0, 'reference': 0.0, 'inside': [0.0]*3})})
     assert_allclose(made['attitude'], [np.sin(0.005), 0.0, 0.0, np.cos(0.005)])
-    assert_allclose(made['needle'][1], [0.0, 3*np.cos(0.4), 3*np.sin(0.4)])
-    assert made['wanted'][1] == [0.0, 3.0, 0.0]
+    assert_allclose(made['needle'][1], [0.0, 2.2*np.cos(0.4), 2.2*np.sin(0.4)])
+    assert made['wanted'][1] == [0.0, 2.2, 0.0]
     assert provider.derive({}) == {'attitude': None, 'needle': None, 'wanted': None}
 
 
 BAD = {
-    'inertia': ({'craft.inertia_kg_m2': 0.0}, {}, 'craft.inertia_kg_m2 must be above 0.* got 0.0'),
+    'inertia': ({'craft.inertia_kg_m2': 0.0}, {}, 'craft.inertia_kg_m2 must be between 1e-06 and 100000000, '
+                'got 0.0'),
     'negative inertia': ({'craft.inertia_kg_m2': -3.0}, {}, 'craft.inertia_kg_m2 .* got -3.0'),
     'actuator of the wrong sign': ({'faults.actuator_gain': -1.0}, {},
                                    'faults.actuator_gain must be above 0.*got -1.0'),
@@ -260,3 +299,42 @@ def test_bad_input_is_one_line_that_names_key_value_and_bound(case):
 def test_a_console_needs_a_law_on_the_ground():
     with pytest.raises(BadInput, match='law_runs must be ground for a console'):
         display_of(scenario(law_runs='onboard'))
+
+
+# -- anything that a scenario may say ----------------------------------------------------------
+
+@settings(max_examples=40, deadline=None)
+@given(st.data())
+def test_whatever_a_scenario_may_say_ends_with_one_of_the_reasons(data):
+    """Odd steps, all faults at once, extreme gains and noise: no warning, no exception."""
+    def draw(low, high):
+        return float(np.exp(data.draw(st.floats(np.log(low), np.log(high)))))
+
+    step_s = data.draw(st.sampled_from([0.001, 0.05, 0.3, 0.7, 1.0, 3.7, 10.0]))
+    law = data.draw(st.sampled_from(sorted(LAWS)))
+    shared = {
+        'step_s': step_s, 'timeout_s': 40.3*step_s, 'limits.window_s': draw(0.1, 40.0)*step_s,
+        'law_runs': data.draw(st.sampled_from(['ground', 'onboard'])),
+        'forward_delay_s': step_s*data.draw(st.integers(0, 4)),
+        'back_delay_s': step_s*data.draw(st.integers(0, 4)),
+        'faults.actuator_gain': draw(1e-9, 100.0), 'faults.sensor_gain': draw(1e-9, 100.0),
+        'faults.actuator_at_s': data.draw(st.floats(0.0, 50.0))*step_s,
+        'faults.sensor_at_s': data.draw(st.floats(0.0, 50.0))*step_s,
+        'attitude.step_at_s': data.draw(st.floats(0.0, 50.0))*step_s,
+        'attitude.reference_deg': data.draw(st.floats(-19.0, 19.0)),
+        'craft.inertia_kg_m2': draw(1e-6, 1e8), 'torque.max_n_m': draw(0.1, 1e4),
+        'torque.step_n_m': draw(1e-4, 0.1)}
+    sections = {
+        'attitude_dynamics': {'angle_deg': data.draw(st.floats(-30.0, 30.0)),
+                              'disturbance_n_m': data.draw(st.floats(-1e6, 1e6))},
+        'attitude_sensors': {'gyro_sigma_deg': draw(1e-6, 90.0),
+                             'gyro_weight': data.draw(st.floats(0.0, 0.999))},
+        'link_back': {'loss_fraction': data.draw(st.sampled_from([0.0, 0.5, 1.0]))},
+        'attitude_controller': {'law': law}}
+    world = Scenario('any', MISSION, {'/**': shared, **sections}).check()
+    with np.errstate(all='raise', under='ignore'):
+        batch = fly(world, range(3))
+    assert set(batch.verdict.reason) <= {'held', 'restless', 'lost', 'invalid'}
+    assert np.all(batch.verdict.duration <= world.run.last_step*step_s + 1e-9)
+    for values in batch.verdict.values.values():
+        assert not np.any(values < 0.0)

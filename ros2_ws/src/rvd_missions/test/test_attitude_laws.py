@@ -5,6 +5,8 @@ from hypothesis import strategies as st
 import numpy as np
 from numpy.testing import assert_allclose, assert_array_equal
 import pytest
+from rvd_dynamics.diagram.in_process import fly
+from rvd_missions.attitude_hold import tuning
 from rvd_missions.attitude_hold.laws import characteristic_model as model
 from rvd_missions.attitude_hold.laws import LAWS
 from rvd_missions.attitude_hold.laws.characteristic_model import F1, F2, Identifier, projected, SUM
@@ -198,3 +200,44 @@ def test_the_integral_of_pid_is_bounded_on_both_sides():
 
 def test_the_golden_shares():
     assert_allclose([L1, L2], [0.382, 0.618], atol=1e-4)
+
+
+# -- tuning ------------------------------------------------------------------------------------
+
+@LAW
+def test_the_bench_of_the_tuning_flies_each_case_to_the_bits_of_the_mission(law):
+    """All cases in one batch, strung together by hand, against the diagram one by one."""
+    cases = (tuning.Case(0.4, 2.0), tuning.Case(2.5, 0.5, 0.001), tuning.Case(2.5, 2.0))
+    base = tuning.base().with_values('/**', timeout_s=200.0, limits__window_s=40.0)
+    name = next(name for name, one in LAWS.items() if one is law)
+    bench = tuning.Bench(base, cases, runs=3).fly(law())
+    for at, (actuator, sensor, torque) in enumerate(cases):
+        one = base.with_values('/**', faults__actuator_gain=actuator, faults__sensor_gain=sensor)
+        one = one.with_values('attitude_dynamics', disturbance_n_m=torque)
+        flown = fly(one.with_values('attitude_controller', law=name), range(3)).verdict
+        for measure, values in flown.values.items():
+            assert_array_equal(bench.values[measure][3*at:3*at + 3], values, err_msg=measure)
+
+
+def test_the_search_is_over_the_parameters_that_the_laws_have_and_within_their_bounds():
+    for name, ranges in tuning.RANGES.items():
+        for place in (np.zeros(len(ranges)), np.ones(len(ranges))):
+            LAWS[name](**tuning.values(name, place))
+
+
+@LAW
+def test_no_point_near_the_defaults_is_much_better_on_the_runs_of_the_tuning(law):
+    """The defaults are what the search has found, in the figures that are written down."""
+    name = next(name for name, one in LAWS.items() if one is law)
+    bench = tuning.Bench(tuning.base())
+    least = bench.cost(law())
+    for parameter in tuning.RANGES[name]:
+        value = getattr(law(), parameter)
+        for factor in (0.5, 2.0):
+            if parameter in tuning.FROM_ONE:
+                other = 1.0 - factor*(1.0 - value)
+            else:
+                other = factor*value
+            low, high = tuning.RANGES[name][parameter]
+            if low <= other <= high:
+                assert bench.cost(law(**{parameter: other})) > least - 0.005, parameter

@@ -24,7 +24,7 @@ from rvd_missions.attitude_hold.settings import Limits, Placement
 TELEMETRY, LAW, COMMAND = (s.name for s in (signals.TELEMETRY, signals.LAW, signals.COMMAND))
 DEG = float(np.degrees(1.0))                    # [deg/rad]
 LARGER = 40.0                                   # the needle turns by this times the attitude
-NEEDLE_M = 3.0
+NEEDLE_M = 2.2
 HULL, CELLS = '#d5dbe2', '#27508a'
 
 
@@ -79,7 +79,7 @@ def _display(limits: Limits, torque: TorqueParams) -> Display:
         labels=(Label(f'needles \u00d7{LARGER:.0f}', (0.0, NEEDLE_M, -0.4)),),
         legend=(Legend('measured', f'measured attitude, \u00d7{LARGER:.0f}'),
                 Legend('goal', 'reference', dashed=True)),
-        views=(Perspective('Craft', distance_m=9.0),
+        views=(Perspective('Craft', distance_m=10.0),
                Flat('Along the axis', '+y', '+z', (0.0, 0.8, 0.0), 9.0)),
         instruments=Instruments('Attitude', (
             row('attitude', 'deg', Number(TELEMETRY, 'state', (0,), DEG), 4),

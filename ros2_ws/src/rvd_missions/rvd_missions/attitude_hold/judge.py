@@ -50,10 +50,12 @@ class Judge:
         self._stepped = first_step(attitude.step_at_s, h)
         self._after = min(self._stepped, first_step(faults.first_at_s, h))
         self._window = run.last_step - first_step(limits.window_s, h) + 1
-        self._direction = np.sign(attitude.reference_deg)   # of the error when the step comes
+        # Without a step, neither of the reference nor at the start, there is nothing to overshoot.
+        self._steps = attitude.reference_deg != 0.0 or self._stepped == 0
         self._live = np.ones(batch, dtype=bool)
         self._reason = np.full(batch, '', dtype='U8')
-        self._duration, self._first_sign = np.zeros(batch), np.zeros(batch)
+        self._duration = np.zeros(batch)
+        self._sign = np.zeros(batch)                        # of the error when the last step came
         (self._final, self._square, self._over, self._over_first, self._peak, self._impulse
          ) = np.zeros((6, *batch))
         self._out = np.full(batch, -1)                      # last step outside of the settled band
@@ -65,12 +67,10 @@ class Judge:
         error = DEG*offset
         size = np.abs(error)
         self._duration = np.where(self._live, k*self._step_s, self._duration)
-        if k == 0:
-            self._first_sign = np.sign(error)
-        if k < self._stepped:
-            self._grow('_over_first', live, -self._first_sign*error)
-        else:
-            self._grow('_over', live, -self._direction*error)
+        if k in (0, self._stepped):
+            self._sign = np.sign(error)
+        self._grow('_over_first' if k < self._stepped else '_over', live, -self._sign*error)
+        if k >= self._stepped:
             self._out = np.where(live & ~(size < self._limits.settled_deg), k, self._out)
         if k >= self._after:
             self._grow('_peak', live, size)
@@ -108,8 +108,8 @@ class Judge:
             'rms_final_deg': np.where(whole, np.sqrt(
                 self._final/(self._last_step - self._window + 1)), np.nan),
             'rms_after_deg': np.where(known_after, np.sqrt(self._square/after), np.nan),
-            'overshoot_deg': np.where(known_step & (self._direction != 0.0), self._over, np.nan),
-            'overshoot_first_deg': self._over_first,
+            'overshoot_deg': np.where(known_step & self._steps, self._over, np.nan),
+            'overshoot_first_deg': np.where(self._stepped > 0, self._over_first, np.nan),
             'peak_after_deg': np.where(known_after, self._peak, np.nan),
             'settling_s': np.where(known_step & (settled <= last),
                                    (settled - self._stepped)*self._step_s, np.nan),

@@ -41,8 +41,8 @@ class Craft:
     """The axis."""
 
     inertia_kg_m2: float = param(
-        100.0, 'Moment of inertia about the axis [kg m^2], which the law knows.', above=0.0,
-        high=1e9)
+        100.0, 'Moment of inertia about the axis [kg m^2], which the law knows.', low=1e-6,
+        high=1e8)
 
 
 @settings
