@@ -58,8 +58,11 @@ def entries(what: str) -> Iterator[tuple[str, str]]:
         return
     if what == 'laws':
         from rvd_groundstation.guidance import LAWS
+        from rvd_missions.attitude_hold.laws import LAWS as HOLDING
         for name, law in LAWS.items():
             yield name, _first_paragraph(law.__doc__)
+        for name, law in HOLDING.items():
+            yield name, f'{_first_paragraph(law.__doc__)} (attitude_hold)'
         return
     for path in sorted((root() / what).iterdir()):
         if path.suffix in ('.yaml', '.csv') or (path / 'metadata.yaml').exists():

@@ -35,8 +35,8 @@ from rvd_missions.attitude_hold.space import AttitudeDynamics, AttitudeSensors
 SEED = 101
 RUNS = 12
 DISTURBANCE_N_M = 0.001
-STARTS, FIRST, ROUNDS, EACH = 3, 300, 10, 50        # points: at random, then about the best
-SHRINK = 0.65                           # of the range in each round
+STARTS, FIRST, ROUNDS, EACH = 2, 160, 8, 30        # points: at random, then about the best
+SHRINK = 0.6                            # of the range in each round
 ACTUATOR, SENSOR = (0.4, 1.0, 2.5), (0.5, 1.0, 2.0)
 NOT_HELD = 10.0
 RANGES = {                              # lowest and highest value of each parameter
