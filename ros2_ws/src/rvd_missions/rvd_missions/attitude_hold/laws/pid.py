@@ -20,15 +20,16 @@ from rvd_dynamics.diagram.params import param, settings
 class Pid:
     """Proportional-integral-derivative law with fixed gains."""
 
-    proportional_per_s2: float = param(0.1, 'Acceleration per error [1/s^2].', low=0.0, high=1e4)
+    proportional_per_s2: float = param(
+        0.223, 'Acceleration per error [1/s^2].', low=0.0, high=1e4)
     integral_per_s3: float = param(
-        0.001, 'Acceleration per time integral of the error [1/s^3].', low=0.0, high=1e4)
+        1.8e-5, 'Acceleration per time integral of the error [1/s^3].', low=0.0, high=1e4)
     derivative_per_s: float = param(
-        0.5, 'Acceleration per rate of the error [1/s].', low=0.0, high=1e4)
+        0.588, 'Acceleration per rate of the error [1/s].', low=0.0, high=1e4)
     filter_s: float = param(
-        0.0, 'Time constant of the filter of the rate [s].', low=0.0, high=1e4)
+        0.003, 'Time constant of the filter of the rate [s].', low=0.0, high=1e4)
     integral_limit_deg_s: float = param(
-        5.0, 'Bound of the time integral of the error, on either side [deg s].', above=0.0,
+        1.8, 'Bound of the time integral of the error, on either side [deg s].', above=0.0,
         high=1e6)
 
     def controller(self, step_s: float, batch: tuple) -> 'PidAtWork':
