@@ -131,7 +131,8 @@ def test_a_run_is_the_same_alone_and_in_any_batch():
 def test_pid_removes_a_constant_disturbance_and_golden_section_does_not():
     """Without an integral the error is what balances it: d/J = (l1 f1 + l2 f2) e/((b+l) dt^2)."""
     final = {}
-    for law, sections in (('pid', {'law': 'pid'}), ('golden_section', FIXED)):
+    for law, sections in (('pid', {'law': 'pid', 'pid.integral_per_s3': 0.005}),
+                          ('golden_section', FIXED)):
         batch = flown({**QUIET, 'attitude_controller': sections, 'attitude_dynamics': {
             'angle_sigma_deg': 0.0, 'rate_sigma_deg_s': 0.0, 'disturbance_n_m': 0.005}},
             timeout_s=1200.0)
@@ -140,6 +141,19 @@ def test_pid_removes_a_constant_disturbance_and_golden_section_does_not():
     golden = (np.sqrt(5.0) - 1.0)/2.0
     stiffness = ((1.0 - golden)*1.9975 - golden*0.9999)/0.25
     assert_allclose(final['golden_section'], np.degrees(0.005/100.0/stiffness), rtol=0.01)
+
+
+def test_noise_alone_does_not_move_the_gain_of_the_model_within_an_hour():
+    """What a dead zone below the noise would let happen: 3 in place of 0.9."""
+    def gain(**law):
+        world = scenario({'attitude_controller': law}, timeout_s=3600.0, attitude__step_at_s=3600.0,
+                         faults__actuator_at_s=3600.0, faults__sensor_at_s=3600.0)
+        return fly(world, range(5), record=[LAW.name]).history[LAW.name].inside[:, :, 2]
+    steady = gain()
+    assert np.all(np.abs(steady[-1] - steady[240]) < 0.1)
+    drifting = gain(**{'golden_section.dead_zone_deg': 6e-4, 'golden_section.f_variance': 0.12,
+                       'golden_section.forgetting': 0.956})
+    assert np.all(drifting[-1] > 2.0)
 
 
 def test_a_lost_sample_is_bridged_and_a_long_outage_leaves_the_torque_at_zero():
@@ -303,12 +317,12 @@ def test_a_console_needs_a_law_on_the_ground():
 
 # -- anything that a scenario may say ----------------------------------------------------------
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=20, deadline=None)
 @given(st.data())
 def test_whatever_a_scenario_may_say_ends_with_one_of_the_reasons(data):
     """Odd steps, all faults at once, extreme gains and noise: no warning, no exception."""
     def draw(low, high):
-        return float(np.exp(data.draw(st.floats(np.log(low), np.log(high)))))
+        return float(np.clip(np.exp(data.draw(st.floats(np.log(low), np.log(high)))), low, high))
 
     step_s = data.draw(st.sampled_from([0.001, 0.05, 0.3, 0.7, 1.0, 3.7, 10.0]))
     law = data.draw(st.sampled_from(sorted(LAWS)))

@@ -7,7 +7,7 @@ from typing import Any, TYPE_CHECKING
 import numpy as np
 
 from rvd_dynamics.recording.drawing import (
-    BLUE, CampaignFigure, canvas, GREEN, INK, MUTED, ORANGE, VERMILLION)
+    ABOVE, BLUE, CampaignFigure, canvas, GREEN, INK, MUTED, ORANGE, VERMILLION)
 from rvd_missions.attitude_hold.comparison import LAWS, Mean, Row, rows
 
 if TYPE_CHECKING:
@@ -23,7 +23,7 @@ GROUPS = INK, GREEN, ORANGE, MUTED              # of cells that share all but th
 def comparison(results: Any) -> tuple['Canvas', str]:
     """Draw the means of both laws, and golden_section minus pid run by run."""
     found = rows(results.tables, tuple(DRAWN))
-    figure = canvas(0.9 + 2.1*len(DRAWN), top=0.5, hspace=0.16, wspace=0.20)
+    figure = canvas(0.9 + 2.1*len(DRAWN), top=0.5, hspace=0.2, wspace=0.20)
     panels = figure.subplots(len(DRAWN), 2, squeeze=False, sharex=True)
     names = list(dict.fromkeys(_split(row.cell)[0] for row in found))
     groups = list(dict.fromkeys(_split(row.cell)[1] for row in found))
@@ -36,11 +36,12 @@ def comparison(results: Any) -> tuple['Canvas', str]:
     panels[0, 0].set_title('Mean with each law')
     panels[0, 1].set_title('golden_section minus pid, run by run')
     for axes in panels[-1]:
-        axes.set_xticks(range(len(names)), names, rotation=30, ha='right', fontsize=7.5)
-    panels[0, 0].legend(loc='best')
+        axes.set_xticks(range(len(names)), [name.replace(' sensor', '\nsensor') for name in names],
+                        fontsize=6.0)
+    panels[0, 0].legend(ncols=2, **ABOVE)
     if len(groups) > 1:
-        panels[0, 1].legend(loc='best', ncols=len(groups))
-    figure.subplots_adjust(bottom=0.85/figure.get_figheight())
+        panels[1, 1].legend(ncols=len(groups), **ABOVE)
+    figure.subplots_adjust(bottom=0.6/figure.get_figheight())
     return figure, (
         'Left: means over all runs in which the measure is known. Right: mean of the paired '
         'difference with its 95 % interval (Student), each on its own; below 0 golden_section has '

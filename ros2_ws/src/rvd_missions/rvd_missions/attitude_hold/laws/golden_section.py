@@ -27,22 +27,22 @@ class GoldenSection:
     """Adaptive golden-section law on an identified characteristic model."""
 
     softening: float = param(
-        0.14, 'Lambda: what is added to the gain of the model before the law divides by it, as a '
+        0.001, 'Lambda: what is added to the gain of the model before the law divides by it, as a '
         'fraction of the nominal gain.', low=0.0, high=100.0)
     derivative_per_s: float = param(
-        0.0028, 'Gain of the logic derivative at 1 deg of recent error [1/s].', low=0.0, high=100.0)
+        0.015, 'Gain of the logic derivative at 1 deg of recent error [1/s].', low=0.0, high=100.0)
     adapts: bool = param(
         True, 'Whether the model is identified on line; else it keeps its first parameters.')
     forgetting: float = param(
-        0.956, 'Forgetting factor of the least squares.', low=0.5, high=1.0)
+        0.901, 'Forgetting factor of the least squares.', low=0.5, high=1.0)
     dead_zone_deg: float = param(
-        0.0006, 'Residual of the model within which nothing is learnt [deg].', low=0.0, high=10.0)
+        0.0139, 'Residual of the model within which nothing is learnt [deg].', low=0.0, high=10.0)
     f_variance: float = param(
-        0.12, 'Variance of f1 and f2 at the start, for a residual of 1 deg.', above=0.0, high=1e6)
+        2.2e-5, 'Variance of f1 and f2 at the start, for a residual of 1 deg.', above=0.0, high=1e6)
     b_variance: float = param(
-        5300.0, 'Variance of the gain at the start, for a residual of 1 deg.', above=0.0, high=1e6)
+        2080.0, 'Variance of the gain at the start, for a residual of 1 deg.', above=0.0, high=1e6)
     lowest_gain: float = param(
-        0.05, 'Least gain of the model, as a fraction of the nominal one.', above=0.0, high=1.0)
+        0.376, 'Least gain of the model, as a fraction of the nominal one.', above=0.0, high=1.0)
     highest_gain: float = param(
         10.0, 'Greatest gain of the model, as a fraction of the nominal one.', low=1.0, high=1e3)
 
