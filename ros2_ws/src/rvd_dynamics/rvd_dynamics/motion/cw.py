@@ -120,6 +120,12 @@ def product(matrix: Matrix, vectors: ArrayLike) -> NDArray[np.float64]:
     return result.transpose(*range(1, result.ndim), 0)
 
 
+def carried(covariance: ArrayLike, phi: Matrix) -> NDArray[np.float64]:
+    """Return the covariance (..., 6, 6) of states one step on without noise: phi C phi'."""
+    half = product(phi, covariance)                 # rows of C are its columns: (phi C)'
+    return product(phi, np.swapaxes(half, -1, -2))
+
+
 def propagate(state: ArrayLike, n: float, dt: ArrayLike) -> NDArray[np.float64]:
     """Coast `state` (..., 6) for `dt` (...) seconds; shapes broadcast, NaN stays NaN."""
     # contiguous: the order in which einsum adds depends on the layout of its operands
