@@ -12,7 +12,9 @@ from typing import Any, Protocol
 
 from numpy.typing import ArrayLike, NDArray
 
+from rvd_dynamics.commands.acceleration import BangBang, Continuous, Pulses, RateLimited
 from rvd_dynamics.commands.levels import LevelForm
+from rvd_dynamics.diagram.params import choice
 
 
 class CommandForm(Protocol):
@@ -28,8 +30,15 @@ class CommandForm(Protocol):
     def quantise(self, wanted: ArrayLike) -> NDArray[Any]:
         """Return the commands nearest to what is wanted; neutral where it is not finite."""
 
+    def follow(self, last: ArrayLike, wanted: ArrayLike) -> NDArray[Any]:
+        """Return the commands nearest to what is wanted that can come a step after `last`."""
+
     def legal(self, command: Sequence) -> bool:
         """Say whether numbers from the wire are a command of this form."""
 
 
-FORMS = {'levels': LevelForm}
+FORMS = {'levels': LevelForm, 'continuous': Continuous, 'rate_limited': RateLimited,
+         'bang_bang': BangBang, 'pulses': Pulses}
+ThrusterParams = choice(
+    'ThrusterParams', 'form', {name: form for name, form in FORMS.items() if name != 'levels'},
+    'continuous', 'Alphabet of the thrusters.')

@@ -238,6 +238,10 @@ class LevelForm:
         """Return the command nearest to accelerations (..., 3) [m/s^2]; neutral where unknown."""
         return nearest_level(wanted, self.thrust)
 
+    def follow(self, last: ArrayLike, wanted: ArrayLike) -> NDArray[np.int8]:
+        """Return the command after `last`: levels have no memory."""
+        return self.quantise(wanted)
+
     def legal(self, command: Sequence) -> bool:
         """Say whether a command, as it came over the wire, is one (NaN and 1.5 are not)."""
         return all(level in LEVELS for level in command)

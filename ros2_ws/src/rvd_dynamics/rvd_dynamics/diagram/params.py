@@ -412,13 +412,13 @@ def dotted(tree: dict[str, Any], prefix: str = '') -> dict[str, Any]:
     return flat
 
 
-def wiring() -> Any:
+def wiring(before: Any = None) -> Any:
     """
     Return a field that is no parameter: something that `diagram.build.wired` hands over by name.
 
-    It is None in a settings object that nothing has been handed to yet.
+    It is `before` in a settings object that nothing has been handed to yet.
     """
-    return field(default=None, metadata={'wiring': True})
+    return field(default=before, metadata={'wiring': True})
 
 
 def is_wiring(f: Field) -> bool:
