@@ -18,18 +18,17 @@ of x, y, z, and so what an ABORT does.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from struct import Struct
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rvd_dynamics.diagram.params import check_bounds, param, require, wiring
+from rvd_dynamics.diagram.params import param, require, settings, wiring
 from rvd_dynamics.diagram.run import Run
 
 Array = NDArray[np.float64]
 BEHIND = (-1, 0, 0)                     # the craft comes from -x
-ROUNDING = 1e-9                         # of a level: (3 a) / a may be 2.9999999999999996
+ROUNDING = 1e-9                         # (3 a) / a may be 2.9999999999999996
 STEP_S = 1.0                            # [s] without a run
 
 
@@ -39,7 +38,7 @@ def _finite(wanted: ArrayLike) -> Array:
     return np.where(np.isfinite(wanted), wanted, 0.0)
 
 
-@dataclass(frozen=True)
+@settings
 class Continuous:
     """Any acceleration up to a largest one on each axis; a command is (..., 3) float64 [m/s^2]."""
 
@@ -47,7 +46,6 @@ class Continuous:
         0.01, 'Largest acceleration on each axis [m/s^2].', above=0.0, high=1000.0)
     away: tuple = wiring(BEHIND)
 
-    __post_init__ = check_bounds
     neutral = np.zeros(3)
     wire = Struct('<3d')
 
@@ -73,7 +71,7 @@ class Continuous:
         return all(abs(a) <= self.max_m_s2 for a in command)
 
 
-@dataclass(frozen=True)
+@settings
 class RateLimited(Continuous):
     """
     Thrust that ramps at a constant rate, on and off; commands as `Continuous`.
@@ -104,10 +102,11 @@ class RateLimited(Continuous):
             return np.clip(np.clip(wanted, last - change, last + change), -most, most)
         to_go = wanted - last
         ramp = np.where(to_go > 0.0, change, -change)
-        return np.clip(np.where(np.abs(to_go) <= 0.5*change, last, last + ramp), -most, most)
+        thrust = np.clip(np.where(np.abs(to_go) <= 0.5*change, last, last + ramp), -most, most)
+        return np.where(np.abs(thrust) < ROUNDING*most, 0.0, thrust)    # up and down again is off
 
 
-@dataclass(frozen=True)
+@settings
 class BangBang:
     """
     Engines of equal thrust, on or off; a command is whole levels (..., 3) of int8.
@@ -123,7 +122,6 @@ class BangBang:
         'wanted (floor).', choices=('round', 'floor'))
     away: tuple = wiring(BEHIND)
 
-    __post_init__ = check_bounds
     neutral = np.zeros(3, dtype=np.int8)
     wire = Struct('<3b')
 
@@ -157,7 +155,7 @@ class BangBang:
         return all(level in range(-self.engines, self.engines + 1) for level in command)
 
 
-@dataclass(frozen=True)
+@settings
 class Pulses:
     """
     Pulse width: full thrust for part of each step; a command is on-times (..., 3) in ticks, int16.
@@ -179,7 +177,6 @@ class Pulses:
     wire = Struct('<3h')
 
     def __post_init__(self) -> None:
-        check_bounds(self)
         if self.run is not None:
             require(self.tick_s <= self.run.step_s <= 32767 * self.tick_s, 'tick_s',
                     f'go 1 to 32767 times into step_s = {self.run.step_s:g}', self.tick_s)
