@@ -25,7 +25,7 @@ class ObstacleStates:
     """Where the obstacles are at the start."""
 
     position_m: tuple = param(
-        (35.36, -6.93, -17.39, 23.16, -4.12, -10.95, 11.65, -2.02, -5.30),
+        (35.17, -7.37, -17.58, 22.82, -5.01, -11.41, 11.39, -2.62, -5.70),
         'Position x, y, z of one obstacle after the other [m].')
     velocity_m_s: tuple = param(
         (0.0,), 'Velocity x, y, z of one obstacle after the other, where a single 0 means that none '
