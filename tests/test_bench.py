@@ -157,3 +157,12 @@ def test_a_flight_is_timed_in_parts_that_add_up(tmp_path):
         parts = [timed[key] for key in ('start_up_s', 'flight_s', 'ending_s', 'report_s')]
         assert min(parts) > 0.0
         assert sum(parts) == pytest.approx(timed['wall_s'], abs=0.2)
+
+
+def test_figures_of_the_laws_all_have_a_name_and_what_bounds_decide_is_most():
+    from rvd_campaign.bench import _laws_rows, laws
+    found = laws.measure(quick=True)
+    assert set(found) < set(laws.GOALS) and found['alarm_decided_by_bounds'] > 0.7
+    rows = {row.what: row for row in _laws_rows({**found, 'obstacle_flight_s': 9.0})}
+    assert rows[laws.GOALS['obstacle_flight_s'].words].met is False
+    assert rows[laws.GOALS['alarm_us'].words].met is None

@@ -160,6 +160,25 @@ def _campaign_rows(r: dict) -> list[Row]:
                 r['table3_s'] < c.MAX_TABLE_S)]
 
 
+def _laws(quick: bool, _: Checkout | None) -> dict:
+    from rvd_campaign.bench import laws
+    return laws.measure(quick)
+
+
+def _laws_rows(r: dict) -> list[Row]:
+    from rvd_campaign.bench.laws import GOALS
+    rows = []
+    for name, value in r.items():
+        goal = GOALS[name]
+        met = None if goal.low is goal.high else (
+            value >= goal.low if goal.high is None else value < goal.high)
+        target = '' if met is None else (
+            f'>= {goal.low:,g}' if goal.high is None else f'< {goal.high:g} {goal.unit}')
+        rows.append(Row(goal.words, f'{value:,.0f}' if value >= 1000 else
+                        f'{value:.3g} {goal.unit}'.strip(), target, met))
+    return rows
+
+
 def against(what: str, ratio: float | None, target: str, met: Callable[[float], bool]) -> Row:
     """Return the row of a ratio to another checkout, or how to get it."""
     if ratio is None:
@@ -173,5 +192,6 @@ PARTS: dict[str, tuple[Measure, Callable[[dict], list[Row]]]] = {
     'campaign': (_campaign, _campaign_rows),
     'graph': (_graph, _graph_rows),
     'flight': (_flight, _flight_rows),
+    'laws': (_laws, _laws_rows),
     'console': (_console, _console_rows),
 }
