@@ -14,17 +14,20 @@ import rclpy
 from rclpy.executors import SingleThreadedExecutor
 import yaml
 
+from rvd_dynamics.diagram.build import loaded
 from rvd_dynamics.diagram.ros import markers, qos
+from rvd_dynamics.diagram.ros.codecs import Parts
 from rvd_dynamics.diagram.ros.conversions import header_at, vector
 from rvd_dynamics.diagram.roster import Roster
-from rvd_dynamics.diagram.scenario import parse
-from rvd_interfaces.msg import RelativeState
+from rvd_dynamics.diagram.scenario import load, parse
+from rvd_interfaces.msg import RelativeState, Values
 from visualization_msgs.msg import Marker, MarkerArray
 
 CONFIG = Path(__file__).resolve().parents[4] / 'config'
 SCENARIO = parse('/**: {ros__parameters: {}}', 'viewed')
 TOPICS = Roster(SCENARIO).topics | {
     t: f'{k.__module__.split(".")[0]}/msg/{k.__name__}' for t, k in markers.TOPICS.items()}
+LATCHED = ('/viz/corridor', '/viz/control_boundary', '/viz/target')
 MARKERS = [sys.executable, '-c', 'from rvd_dynamics.diagram.ros.main import main; main()',
            '--ros-args', '-r', '__node:=markers']
 
@@ -51,7 +54,7 @@ def test_rviz_shows_topics_that_are_published_with_their_types_and_qualities():
         topic = display['Topic']
         assert display['Class'].split('/')[1] == TOPICS[topic['Value']].split('/')[-1]
         latched = topic['Durability Policy'] == 'Transient Local'
-        assert latched == (topic['Value'] in ('/viz/corridor', '/viz/control_boundary'))
+        assert latched == (topic['Value'] in LATCHED)
     assert config['Visualization Manager']['Global Options']['Fixed Frame'] == \
         SCENARIO.run.frame_id
 
@@ -121,7 +124,27 @@ def test_every_marker_of_a_topic_has_its_own_name_and_can_be_seen():
 
 # -- the process ---------------------------------------------------------------------------------
 
-def test_markers_follow_a_run_and_end_with_it(monkeypatch):
+FIELD = load(CONFIG.parent / 'scenarios' / 'obstacles_moving.yaml')
+SHOWN = {'/viz/chaser', '/viz/ghost', '/viz/trail/estimate', '/viz/trail/prediction'}
+
+
+def around(step) -> Values:
+    signal = FIELD.diagram.signals['/ground/obstacles']
+    return Parts(signal, FIELD.run).encode(step, signal(
+        obstacles=np.array([[14.0, -3.0, -7.0, 0, 0, 0]]), valid=True, covariance=np.eye(3)[None]))
+
+
+def test_what_stands_still_in_a_scene_is_drawn_where_it_is():
+    field = loaded(FIELD.mission.scene)(FIELD)
+    target, arrival = markers.still_spheres(field, 'target_lvlh').markers
+    assert (target.scale.x, arrival.scale.x, target.pose.position.x) == (2.0, 3.0, 0.0)
+    assert target.color.a > 0.5 > arrival.color.a and target.header.frame_id == 'target_lvlh'
+
+
+@pytest.mark.parametrize('name, shown', [
+    ('paper', {'/viz/corridor', '/viz/control_boundary'}),
+    ('obstacles_moving', {'/viz/target', '/viz/obstacles'})])
+def test_markers_follow_a_run_and_end_with_it(name, shown, monkeypatch):
     monkeypatch.setenv('ROS_DOMAIN_ID', str(20 + os.getpid() % 80))
     context = rclpy.Context()
     rclpy.init(context=context)
@@ -130,13 +153,20 @@ def test_markers_follow_a_run_and_end_with_it(monkeypatch):
     executor.add_node(node)
     seen: dict[str, list] = {}
     for topic, kind in markers.TOPICS.items():
-        profile = qos.LATCHED if topic in ('/viz/corridor', '/viz/control_boundary') else qos.VIEW
+        profile = qos.LATCHED if topic in LATCHED else qos.VIEW
         node.create_subscription(
             kind, topic, lambda m, t=topic: seen.setdefault(t, []).append(m), profile)
     from std_msgs.msg import UInt64
-    feeds = {t: node.create_publisher(RelativeState, t, qos.of(t)) for t in markers.SOURCES}
+    scenario = CONFIG.parent / 'scenarios' / f'{name}.yaml'
+    topics = Roster(load(scenario)).topics
+    feeds = {t: node.create_publisher(RelativeState, t, qos.of(t))
+             for t in markers.SOURCES if t in topics}
+    if '/ground/obstacles' in topics:
+        feeds['/ground/obstacles'] = node.create_publisher(
+            Values, '/ground/obstacles', qos.of('/ground/obstacles'))
     end = node.create_publisher(UInt64, '/run/end', qos.of('/run/end'))
-    process = subprocess.Popen([*MARKERS, '-p', 'nodes:=[markers]'],
+    process = subprocess.Popen([*MARKERS, '--params-file', str(scenario), '-p',
+                                'nodes:=[markers]'],
                                env={**os.environ, 'RVD_LEAN': '1'}, stderr=subprocess.PIPE)
     try:
         limit = time.monotonic() + 20
@@ -145,8 +175,8 @@ def test_markers_follow_a_run_and_end_with_it(monkeypatch):
             executor.spin_once(timeout_sec=0.05)
         begin = time.monotonic()
         for k in range(300):                    # 2 s at 150 steps a second
-            for feed in feeds.values():
-                message = state(np.eye(6))
+            for topic, feed in feeds.items():
+                message = around(k) if topic == '/ground/obstacles' else state(np.eye(6))
                 message.step = k
                 feed.publish(message)
             executor.spin_once(timeout_sec=0.0)
@@ -160,8 +190,12 @@ def test_markers_follow_a_run_and_end_with_it(monkeypatch):
         process.kill() if process.poll() is None else None
         node.destroy_node()
         rclpy.try_shutdown(context=context)
-    assert set(seen) == set(markers.TOPICS) - {'/viz/truth', '/viz/trail/truth'}
+    assert set(seen) == SHOWN | shown
     took = time.monotonic() - begin
     assert 3 <= len(seen['/viz/ghost']) <= 10 * took + 2        # at most ten a second
-    assert len(seen['/viz/corridor']) == 1 and isinstance(seen['/viz/corridor'][0], MarkerArray)
+    still, = (seen[topic] for topic in ('/viz/corridor', '/viz/target') if topic in seen)
+    assert len(still) == 1 and isinstance(still[0], MarkerArray)
+    if '/viz/obstacles' in seen:
+        ball, = seen['/viz/obstacles'][-1].markers
+        assert (ball.pose.position.x, ball.scale.x) == (14.0, pytest.approx(1.2))
     assert len(seen['/viz/trail/estimate'][-1].poses) <= 200

@@ -60,6 +60,9 @@ class Mission:
         Modes that `/run/control` may change between.
     markers : bool
         Whether the scene is drawn for RViz and Foxglove.
+    scene : str
+        'module:function' of a scenario that returns what the markers draw besides the craft, a
+        `display.scene.Field`; empty: the corridor and the control boundary of an approach.
     columns : str
         'module:NAME' of the names of all columns of a campaign's table in their order, for a
         mission that orders them; empty: the verdict, the measures, then what the block `columns`
@@ -90,6 +93,7 @@ class Mission:
     campaign_notes: str = ''
     usual_steps: str = ''
     markers: bool = False
+    scene: str = ''
     modes: tuple[str, ...] = ()
     short_words: Mapping[str, str] = field(default_factory=dict)
 

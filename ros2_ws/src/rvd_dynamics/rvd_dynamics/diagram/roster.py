@@ -22,6 +22,7 @@ import yaml
 
 from rvd_dynamics.diagram.block import External, GROUND, Leg, Read, WATCH
 from rvd_dynamics.bad_input import BadInput
+from rvd_dynamics.diagram.build import loaded
 from rvd_dynamics.diagram.identity import new_run
 from rvd_dynamics.diagram.scenario import load, Scenario
 
@@ -39,6 +40,7 @@ RUN_TOPICS = {
 }
 # Written by any node whenever it has something to say; nobody waits for them at the start.
 COMMON = ('/run/ready', '/run/events', '/diagnostics')
+STATE = 'rvd_interfaces/msg/RelativeState'
 RECORDER, MONITOR, MARKERS = 'bag_recorder', 'mission_monitor', 'markers'
 # The browser console where it is not an operator, who declares it in the diagram: it watches.
 CONSOLE = External('console', 'rvd_groundstation', 'console', GROUND)
@@ -102,7 +104,10 @@ class Roster:
         """The watchers that a run may have."""
         truth = self.diagram.truth.name
         viewed = tuple(name for name in ('/ground/estimate', '/ground/prediction', truth)
-                       if name in self.topics)
+                       if self.topics.get(name) == STATE)
+        if self.scenario.mission.scene:
+            field = loaded(self.scenario.mission.scene)(self.scenario)
+            viewed += tuple(spheres.rows.signal for spheres in field.moving)
         return {watcher.name: watcher for watcher in (
             Watcher(MONITOR, (truth, '/run/end'), ('/run/verdict',)),
             Watcher(RECORDER, tuple(self.topics), ('/run/recorded_step',)),

@@ -44,5 +44,10 @@ MISSION = Mission(
     checked=('legs', 'form', 'law', 'clear_start', 'navigation'),
     diagram=f'{HERE}.diagram:diagram',
     judge=f'{HERE}.judge:Judge',
+    figures=f'{HERE}.figures:FIGURES',
+    campaign_figures=f'{HERE}.campaign_figures:FIGURES',
+    display=f'{HERE}.display:FieldDisplay',
+    scene=f'{HERE}.display:scene',
     usual_steps=f'{HERE}.settings:usual_steps',
+    markers=True,
 )

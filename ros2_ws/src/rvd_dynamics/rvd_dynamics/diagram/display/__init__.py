@@ -24,8 +24,8 @@ from rvd_dynamics.diagram.display.panels import (  # noqa: F401 - the vocabulary
 from rvd_dynamics.diagram.display.parts import (  # noqa: F401 - the vocabulary
     DERIVED, is_real, MODES, MOST_AXES, Number, Ref, require_known, SENT_PARTS, TRUTH)
 from rvd_dynamics.diagram.display.scene import (  # noqa: F401 - the vocabulary
-    Ball, Body, Box, cone, Cylinder, Flat, Label, Legend, Line, Perspective, Revolved, Solid,
-    Sphere, Surface, Torus, Trail, View)
+    Ball, Body, Box, cone, Cylinder, Field, Flat, Label, Legend, Line, Perspective, Revolved, Solid,
+    Sphere, Spheres, Surface, Torus, Trail, View)
 from rvd_dynamics.diagram.params import require
 
 

@@ -177,6 +177,34 @@ class Sphere:
 Surface = Revolved | Sphere
 
 
+@dataclass(frozen=True)
+class Spheres:
+    """Spheres that move: their places are the rows of a part of a signal, the first three numbers."""
+
+    name: str
+    role: str
+    rows: Ref
+    radii_m: tuple[float, ...]
+
+    def __post_init__(self) -> None:
+        require(bool(self.name), 'spheres.name', 'not be empty', repr(self.name))
+        require_role(f'spheres {self.name}: role', self.role)
+        for radius in self.radii_m:
+            require_positive(f'spheres {self.name}: radii_m', radius)
+
+
+@dataclass(frozen=True)
+class Field:
+    """What markers draw of a field of spheres: those that stand still, those that move, the craft."""
+
+    still: tuple[Sphere, ...]
+    moving: tuple[Spheres, ...]
+    craft_radius_m: float
+
+    def __post_init__(self) -> None:
+        require_positive('field.craft_radius_m', self.craft_radius_m)
+
+
 # -- lines --------------------------------------------------------------------------------
 
 @dataclass(frozen=True)

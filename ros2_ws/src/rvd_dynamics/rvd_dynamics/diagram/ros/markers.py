@@ -1,8 +1,11 @@
 """
 The scene for RViz and Foxglove, drawn by a node outside the ring.
 
-Watches     /ground/estimate, /ground/prediction, /truth/relative_state
+Watches     /ground/estimate, /ground/prediction, /truth/relative_state, and what the mission's
+            scene names
 Publishes   /viz/corridor, /viz/control_boundary    visualization_msgs/MarkerArray, latched
+            /viz/target             MarkerArray, latched: what stands still in a mission's scene
+            /viz/obstacles          MarkerArray: what moves in it, as the ground foresees it
             /viz/chaser             MarkerArray: where the ground knows the chaser was
             /viz/ghost              MarkerArray: where it will be when a command sent now acts,
                                     with the ellipsoid of that prediction
@@ -28,12 +31,15 @@ from visualization_msgs.msg import Marker, MarkerArray
 
 from rvd_dynamics.geometry import cone, surfaces
 from rvd_dynamics.recording.params import MarkerParams
+from rvd_dynamics.diagram.build import loaded
+from rvd_dynamics.diagram.display import Field, Spheres
 from rvd_dynamics.diagram.ros import qos
+from rvd_dynamics.diagram.ros.codecs import Parts
 from rvd_dynamics.diagram.ros.host import Host
 from rvd_dynamics.diagram.ros.node import RunNode
-from rvd_dynamics.diagram.roster import MARKERS
+from rvd_dynamics.diagram.roster import MARKERS, STATE
 from rvd_dynamics.diagram.scenario import Scenario
-from rvd_interfaces.msg import RelativeState
+from rvd_interfaces.msg import RelativeState, Values
 
 TRAIL_EVERY = 5                 # [pictures] a trail is long: draw it less often
 STATIONS = 31                   # along the control boundary
@@ -42,8 +48,10 @@ NEWEST = QoSProfile(depth=1, reliability=ReliabilityPolicy.RELIABLE,
                     durability=DurabilityPolicy.TRANSIENT_LOCAL)
 WALL, BOUNDARY = (0.84, 0.37, 0.0), (0.90, 0.62, 0.0)       # colours of Okabe and Ito
 KNOWN, PREDICTED, TRUE = (0.85, 0.85, 0.85), (0.34, 0.71, 0.91), (0.0, 0.62, 0.45)
+OBSTACLE = (0.8, 0.47, 0.65)
 TOPICS = {                      # what viewers may ask for; truth only with `show_truth`
     '/viz/corridor': MarkerArray, '/viz/control_boundary': MarkerArray,
+    '/viz/target': MarkerArray, '/viz/obstacles': MarkerArray,
     '/viz/chaser': MarkerArray, '/viz/ghost': MarkerArray, '/viz/truth': MarkerArray,
     '/viz/trail/estimate': Path, '/viz/trail/prediction': Path, '/viz/trail/truth': Path}
 SOURCES = {'/ground/estimate': ('chaser', 'estimate', KNOWN),
@@ -59,14 +67,27 @@ class Markers(RunNode):
         self._params: MarkerParams = self.scenario.settings(MARKERS)
         self._newest: dict[str, bytes] = {}
         self._bodies, self._trails, self._paths = {}, {}, {}
+        self._field: Field | None = None
+        if self.scenario.mission.scene:
+            self._field = loaded(self.scenario.mission.scene)(self.scenario)
+        # the truth too, whose writer waits for its readers
+        self._watched = [topic for topic in SOURCES if self.host.roster.topics.get(topic) == STATE]
         for topic, (body, trail, _) in SOURCES.items():
-            if topic != '/truth/relative_state' or self._params.show_truth:
+            if topic in self._watched and (topic != '/truth/relative_state' or self._params.show_truth):
                 self._bodies[topic] = self._viewed(f'/viz/{body}', qos.VIEW)
                 self._trails[topic] = self._viewed(f'/viz/trail/{trail}', qos.VIEW)
                 self._paths[topic] = Path(header=Header(frame_id=self.run.frame_id))
         self._pictures = 0
-        still = still_scene(self.scenario, self._params.boundary_rate_m_s
-                            or self.scenario.part('approach_rate_m_s'))
+        self._moving: dict[str, tuple[Spheres, Parts]] = {}
+        if self._field is None:
+            still = still_scene(self.scenario, self._params.boundary_rate_m_s
+                                or self.scenario.part('approach_rate_m_s'))
+        else:
+            still = {'/viz/target': still_spheres(self._field, self.run.frame_id)}
+            for spheres in self._field.moving:
+                signal = self.scenario.diagram.signals[spheres.rows.signal]
+                self._moving[signal.name] = spheres, Parts(signal, self.run)
+            self._obstacles = self._viewed('/viz/obstacles', qos.VIEW)
         for topic, markers in still.items():
             self._viewed(topic, qos.LATCHED).publish(markers)
         self._say_where()
@@ -74,19 +95,21 @@ class Markers(RunNode):
     def _viewed(self, topic: str, profile: QoSProfile) -> Publisher:
         return self.create_publisher(TOPICS[topic], topic, profile)
 
-    def _look_at(self, topic: str) -> None:
+    def _look_at(self, topic: str, kind: type) -> None:
         """Let only the newest message wait, as bytes."""
         def keep(data: bytes, _: dict) -> None:
             self._newest[topic] = data
         if self.host.is_local(topic):
             self.host.keep(topic, lambda step, data: keep(data, {}))
         else:
-            self.watch_raw(topic, RelativeState, keep, NEWEST)
+            self.watch_raw(topic, kind, keep, NEWEST)
 
     def connect(self) -> None:
-        """Listen; to the truth too, whose writer waits for its readers."""
-        for topic in SOURCES:
-            self._look_at(topic)
+        """Listen."""
+        for topic in self._watched:
+            self._look_at(topic, RelativeState)
+        for topic in self._moving:
+            self._look_at(topic, Values)
 
     def _say_where(self) -> None:
         """Make the frame known to tf2, where there is tf2; viewers do without."""
@@ -121,6 +144,8 @@ class Markers(RunNode):
         for topic, data in list(self._newest.items()):
             if topic in self._bodies:
                 self._draw_one(topic, deserialize_message(data, RelativeState))
+            elif topic in self._moving:
+                self._draw_spheres(deserialize_message(data, Values), *self._moving[topic])
         self._newest.clear()
         if trails:
             for topic, path in self._paths.items():
@@ -132,8 +157,16 @@ class Markers(RunNode):
         if not state.valid:
             return
         name, _, colour = SOURCES[topic]
-        self._bodies[topic].publish(body(state, name, colour, self._params.ellipsoid_sigma))
+        size = BODY_M if self._field is None else 2.0 * self._field.craft_radius_m
+        self._bodies[topic].publish(body(state, name, colour, self._params.ellipsoid_sigma, size))
         self._lengthen(self._paths[topic], state)
+
+    def _draw_spheres(self, message: Values, spheres: Spheres, codec: Parts) -> None:
+        rows = getattr(codec.decode(message.step, message), spheres.rows.part)
+        self._obstacles.publish(MarkerArray(markers=[
+            sphere(message.header, spheres.name, i, place[:3].tolist(), radius, OBSTACLE, 0.75)
+            for i, (place, radius) in enumerate(zip(rows, spheres.radii_m))
+            if np.isfinite(place[:3]).all()]))
 
     def _lengthen(self, path: Path, state: RelativeState) -> None:
         """Add a point; a trail that has become too long loses every other one."""
@@ -163,12 +196,31 @@ def still_scene(scenario: Scenario, rate: float) -> dict[str, MarkerArray]:
             _surface(header, 'boundary', x, inner, BOUNDARY, 0.15)])}
 
 
-def body(state: RelativeState, name: str, colour: tuple, sigmas: float) -> MarkerArray:
+def still_spheres(field: Field, frame_id: str) -> MarkerArray:
+    """Return the spheres of a scene that stand still."""
+    header = Header(frame_id=frame_id)
+    return MarkerArray(markers=[
+        sphere(header, each.name, 0, list(each.place), each.radius_m,
+               KNOWN if each.role == 'target' else BOUNDARY, 0.9 if each.role == 'target' else 0.15)
+        for each in field.still])
+
+
+def sphere(header: Header, name: str, number: int, place: list, radius: float, colour: tuple,
+           opacity: float) -> Marker:
+    """Return a sphere at a place [m]."""
+    x, y, z = map(float, place)
+    return Marker(header=header, ns=name, id=number, type=Marker.SPHERE, action=Marker.ADD,
+                  pose=Pose(position=Point(x=x, y=y, z=z)), color=_rgba(colour, opacity),
+                  scale=Vector3(x=2.0*radius, y=2.0*radius, z=2.0*radius))
+
+
+def body(state: RelativeState, name: str, colour: tuple, sigmas: float, size: float = BODY_M
+         ) -> MarkerArray:
     """Return a box with its velocity and, if it is estimated, its ellipsoid."""
     header, at = state.header, Pose(position=_point(state))
     box = Marker(header=header, ns=name, id=0, type=Marker.CUBE, action=Marker.ADD, pose=at,
                  color=_rgba(colour, 0.9 if name == 'chaser' else 0.45),
-                 scale=Vector3(x=BODY_M, y=BODY_M, z=BODY_M))
+                 scale=Vector3(x=size, y=size, z=size))
     ahead = Point(x=at.position.x + 10.0 * state.velocity.x,
                   y=at.position.y + 10.0 * state.velocity.y,
                   z=at.position.z + 10.0 * state.velocity.z)
