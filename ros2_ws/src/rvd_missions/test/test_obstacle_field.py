@@ -47,10 +47,11 @@ def value(flown, name):
 def test_without_obstacles_it_arrives_with_the_speed_of_the_attraction():
     flown = one(MOVING.with_values('/**', obstacles__number=0), [TRUTH])
     state = flown.history[TRUTH].state[20:, 0]
+    assert np.linalg.norm(flown.history[TRUTH].state[:, 0, 3:], axis=1).max() == pytest.approx(
+        1 - np.exp(-0.0045*56.8), rel=0.03)
     r, v = (np.linalg.norm(part, axis=1) for part in (state[:, :3], state[:, 3:]))
     assert flown.verdict.reason[0] == 'arrived'
     assert_allclose(v, 1.0 - np.exp(-0.0045*r), rtol=0.03)
-    assert value(flown, 'greatest_speed_m_s') == pytest.approx(1 - np.exp(-0.0045*56.8), rel=0.03)
 
 
 def test_probability_spares_the_false_alarms_of_the_distance_beside_a_moving_obstacle():
@@ -94,6 +95,19 @@ def test_thrusters_give_no_more_than_they_can(form, values, least):
         assert_allclose(a / least, np.rint(a / least), atol=1e-12)
     if form == 'pulses':
         assert np.abs(a[a != 0.0]).min() >= least * (1 - 1e-12)
+
+
+@pytest.mark.parametrize('form, values, swing', [
+    ('rate_limited', {'ramp_s': 3.0, 'reading': 'rate'}, 0.0),
+    ('rate_limited', {'ramp_s': 5.0, 'reading': 'rate2'}, 4.02e-3),
+    ('bang_bang', {}, 4.03e-3)])
+def test_speed_swings_near_the_target_with_engines_that_cannot_hold_a_thrust(form, values, swing):
+    flown = one(thrust(corridor(), form, **values), [TRUTH])
+    state = flown.history[TRUTH].state[:, 0]
+    v = np.linalg.norm(state[:, 3:], axis=1)[np.linalg.norm(state[:, :3], axis=1) < 10.0]
+    expected = np.abs(np.diff(v)).sum() - (v[0] - v[-1])
+    assert_allclose(value(flown, 'final_swing_m_s'), [expected], atol=1e-12)
+    assert value(flown, 'final_swing_m_s') == pytest.approx(swing, abs=1e-5)
 
 
 # -- the prototype's table -----------------------------------------------------------------------

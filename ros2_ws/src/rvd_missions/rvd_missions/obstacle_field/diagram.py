@@ -56,7 +56,7 @@ def diagram(scenario: Scenario) -> Diagram:
               reads={'arrival': now(s.arrival)}, writes={'thrust': s.thrust},
               settings=settings['onboard_guard']),
         Block('columns', f'{HERE}.columns:Columns', WATCH, reads={
-            'truth': now(s.truth), 'thrust': last(s.thrust), 'alarm': now(alarm)}, executable=''),
+            'truth': now(s.truth), 'alarm': now(alarm)}, executable=''),
     ), plant='spacecraft_dynamics', guard='onboard_guard', thrust=s.thrust.name)
 
 
