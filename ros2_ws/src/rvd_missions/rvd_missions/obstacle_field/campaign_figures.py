@@ -51,7 +51,7 @@ def tracks(results: Any) -> Drawn:
 
 def speeds(results: Any) -> Drawn:
     """Draw speed over time and over distance (Figures 5, 6, 9, 11)."""
-    figure = canvas(6.4, hspace=0.28)
+    figure = canvas(6.8, top=0.65, hspace=0.28)
     over_time, over_distance = figure.subplots(2, 1)
     limits = {}
     for (condition, history), (colour, style, _) in zip(flown_again(results), LOOKS):
