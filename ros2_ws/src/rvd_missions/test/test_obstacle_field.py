@@ -21,7 +21,8 @@ ALARM, TRUTH, THRUST = '/ground/alarm', '/truth/state', '/onboard/thruster_comma
 
 
 def law(scenario, **values):
-    return scenario.with_values('auto_controller', **{f'safe_apf__{k}': v for k, v in values.items()})
+    named = {f'safe_apf__{k}': v for k, v in values.items()}
+    return scenario.with_values('auto_controller', **named)
 
 
 def corridor(scenario=MOVING, **values):
@@ -234,7 +235,7 @@ def test_an_accurate_predictor_makes_the_probability_alarm_of_a_static_obstacle_
         alarm, covariance, reason):
     scenario = law(STATIC, alarm=alarm).with_values('/**', forward_delay_s=4.0, back_delay_s=3.0)
     flown = one(scenario.with_values('state_predictor', covariance=covariance))
-    assert flown.verdict.reason[0] == reason    # it alarms a few sigma from the surface, whatever the speed
+    assert flown.verdict.reason[0] == reason
 
 
 def test_an_abort_leads_away_from_the_target():

@@ -124,7 +124,8 @@ def require_definite(covariance: ArrayLike, what: str = 'covariance') -> Array:
     if not known.size:
         return given
     if not np.allclose(known, np.swapaxes(known, -1, -2), rtol=1e-9, atol=0.0):
-        raise BadInput(f'{what} must be symmetric, got {known.reshape(-1, *known.shape[-2:])[0].tolist()}')
+        first = known.reshape(-1, *known.shape[-2:])[0]
+        raise BadInput(f'{what} must be symmetric, got {first.tolist()}')
     least = float(np.linalg.eigvalsh(known).min())
     if not least > 0.0:
         raise BadInput(f'{what} must be positive definite, got a least eigenvalue of {least:.3g}')

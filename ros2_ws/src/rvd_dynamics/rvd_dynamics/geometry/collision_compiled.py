@@ -20,7 +20,7 @@ from numba import njit
 import numpy as np
 
 CUT = 6.0                               # [standard deviations]
-NODES = 32                              # of each of the two rules: 1e-8 over the range of `probability`
+NODES = 32                              # of each of the two rules: an error of 1e-8
 X, W = np.polynomial.legendre.leggauss(NODES)
 SWEEPS = 8                              # of Jacobi's rotations; three reach 1e-16 as a rule
 

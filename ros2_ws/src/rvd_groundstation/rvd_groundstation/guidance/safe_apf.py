@@ -215,7 +215,7 @@ class SafeApf:
             on |= before & collision.reaches(offset, covariance, met.radius, lower).above
         return on, None
 
-    def repulsion(self, met: Encounter, on: NDArray[np.bool_]) -> tuple[Array, Array, Array] | tuple:
+    def repulsion(self, met: Encounter, on: NDArray[np.bool_]) -> tuple[Array, ...]:
         """Return the velocities along x, y, z [m/s] by which alarmed obstacles push, each (...)."""
         if not on.any():
             return ()

@@ -33,7 +33,7 @@ def _seconds(condition: Any, history: Any) -> Any:
 
 
 def tracks(results: Any) -> Drawn:
-    """Draw the tracks of all conditions, one pair of panels for each set of obstacles (Figures 2-4, 7)."""
+    """Draw tracks, a pair of panels for each set of obstacles (Figures 2-4, 7)."""
     groups: dict[bytes, list] = {}
     for condition, history in flown_again(results):
         groups.setdefault(history.obstacles[0].tobytes(), []).append((condition, history))
@@ -55,8 +55,9 @@ def speeds(results: Any) -> Drawn:
     over_time, over_distance = figure.subplots(2, 1)
     limits = {}
     for (condition, history), (colour, style, _) in zip(flown_again(results), LOOKS):
-        craft, corridor = condition.scenario.part('craft'), condition.scenario.part('speed_corridor')
-        r, v = (np.linalg.norm(part, axis=1) for part in (history.state[:, :3], history.state[:, 3:]))
+        craft, corridor = (condition.scenario.part(p) for p in ('craft', 'speed_corridor'))
+        r, v = (np.linalg.norm(history.state[:, part], axis=1)
+                for part in (slice(0, 3), slice(3, 6)))
         over_time.semilogy(_seconds(condition, history)[1:], 1000.0*np.maximum(v[1:], 1e-6),
                            color=colour, linestyle=style, linewidth=1.1, label=condition.name)
         over_distance.loglog(r[1:] - craft.contact_m, 1000.0*np.maximum(v[1:], 1e-6), color=colour,
@@ -76,7 +77,8 @@ def near_target(results: Any) -> Drawn:
     """Draw the speed of the last minutes: where it oscillates (Figures 9 and 11)."""
     shown = flown_again(results)
     figure = canvas(0.5 + 1.35*len(shown), hspace=0.5)
-    for panel, (condition, history) in zip(figure.subplots(len(shown), 1, squeeze=False)[:, 0], shown):
+    panels = figure.subplots(len(shown), 1, squeeze=False)[:, 0]
+    for panel, (condition, history) in zip(panels, shown):
         t, v = _seconds(condition, history), np.linalg.norm(history.state[:, 3:], axis=1)
         late = t > t[-1] - 300.0
         panel.plot(t[late], 1000.0*v[late], color=BLUE, linewidth=1.0)
@@ -90,13 +92,14 @@ def accelerations(results: Any) -> Drawn:
     """Draw the executed acceleration along track (Figures 8 and 10)."""
     shown = flown_again(results)
     figure = canvas(0.5 + 1.35*len(shown), hspace=0.5)
-    for panel, (condition, history) in zip(figure.subplots(len(shown), 1, squeeze=False)[:, 0], shown):
+    panels = figure.subplots(len(shown), 1, squeeze=False)[:, 0]
+    for panel, (condition, history) in zip(panels, shown):
         panel.step(_seconds(condition, history)[:-1], 1000.0*history.acceleration[1:, 0],
                    where='post', color=BLUE, linewidth=0.8)
         panel.set(ylabel='[mm/s²]')
         panel.set_title(condition.name)
     panel.set(xlabel='time [s]')
-    return figure, 'Acceleration along track that the thrusters gave in the first run of each condition.'
+    return figure, 'Acceleration along track in the first run of each condition.'
 
 
 def spread(results: Any) -> Drawn:
@@ -113,7 +116,8 @@ def spread(results: Any) -> Drawn:
             if values.size:
                 low, first, middle, last, high = np.quantile(values, [0.05, 0.25, 0.5, 0.75, 0.95])
                 panel.plot([low, high], [at, at], color=BLUE, linewidth=1.0)
-                panel.plot([first, last], [at, at], color=BLUE, linewidth=5.0, solid_capstyle='butt')
+                panel.plot([first, last], [at, at], color=BLUE, linewidth=5.0,
+                           solid_capstyle='butt')
                 panel.plot(middle, at, 'o', color=ORANGE, markersize=5)
         panel.set(xlabel=label)
     panels[0].set_yticks(range(len(names)), names)

@@ -13,7 +13,7 @@ def distance(state: NDArray) -> NDArray[np.float64]:
 
 
 def clearance(state: NDArray, obstacles: NDArray, reach_m: NDArray) -> NDArray[np.float64]:
-    """Return the gaps (..., M) between the surfaces of chaser (..., 6) and obstacles (..., M, 6)."""
+    """Return the gaps (..., M) between chaser (..., 6) and obstacles (..., M, 6) [m]."""
     x, y, z = (state[..., i, None] - obstacles[..., i] for i in range(3))
     return np.sqrt(x*x + y*y + z*z) - reach_m
 

@@ -33,7 +33,8 @@ class StatePredictor:
                  obstacles: Obstacles, form: CommandForm, batch: tuple, block: Block,
                  wanted: frozenset[str]) -> None:
         track = bool({'estimate.covariance', 'prediction.covariance'} & wanted)
-        self._navigation = Navigation(settings, run, legs, orbit, start, obstacles, form, batch, track)
+        self._navigation = Navigation(settings, run, legs, orbit, start, obstacles, form, batch,
+                                      track)
         self._obstacles = block.writes['obstacles']
         self._estimate, self._prediction = block.writes['estimate'], block.writes['prediction']
 

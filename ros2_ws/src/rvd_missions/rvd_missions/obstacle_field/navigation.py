@@ -74,7 +74,8 @@ class NavigationParams:
         xy, xz, yz = self.position_correlation
         sigma = np.array(self.position_sigma_m)
         made = np.zeros((6, 6))
-        made[:3, :3] = np.array([[1.0, xy, xz], [xy, 1.0, yz], [xz, yz, 1.0]]) * np.outer(sigma, sigma)
+        correlation = np.array([[1.0, xy, xz], [xy, 1.0, yz], [xz, yz, 1.0]])
+        made[:3, :3] = correlation * np.outer(sigma, sigma)
         made[3:, 3:] = np.diag(np.square(self.velocity_sigma_m_s))
         require_definite(made[:3, :3], 'position covariance')
         return made
@@ -120,7 +121,7 @@ class Known(NamedTuple):
     obstacles: Array                    # (..., M, 6) at k + forward
     valid: NDArray[np.bool_]            # (...)
     covariance: Array                   # (..., M, 3, 3) of the relative position at k + forward
-    own: tuple[Any, Any]                # covariances (..., 6, 6) of estimate and prediction, or None
+    own: tuple[Any, Any]                # (..., 6, 6) of estimate and prediction, or None
 
 
 class Direct:
@@ -182,7 +183,8 @@ class Tracker:
         start = np.diag(np.repeat([100.0, 1.0], 3))
         # a static obstacle has no velocity, and its filter knows
         stands = np.diag([1.0]*3 + [0.0]*3)
-        self._gains = {False: _Gains(np.eye(6), np.diag(variance), stands @ start + 1e-12*np.eye(6)),
+        self._gains = {False: _Gains(np.eye(6), np.diag(variance),
+                                     stands @ start + 1e-12*np.eye(6)),
                        True: _Gains(self._phi, np.diag(variance), start)}
         self._state = np.full((*batch, obstacles.count, 6), np.nan)
 
@@ -221,7 +223,8 @@ class Navigation:
         self._direct = self._predictor = None
         if self._chosen.filters:
             track = track or self._chosen.predicted
-            self._predictor = Predictor(params.filter(), run, legs, orbit, start, form, batch, track)
+            self._predictor = Predictor(params.filter(), run, legs, orbit, start, form, batch,
+                                        track)
             self._tracker = Tracker(params, orbit, run, legs, obstacles, batch)
         else:
             self._direct = Direct(orbit, run, form, obstacles, batch)
@@ -261,7 +264,7 @@ class Navigation:
 
 
 def apart(measured: Array) -> tuple[Array, Array]:
-    """Return the states of the chaser (..., 6) and of the obstacles (..., M, 6) in what came down."""
+    """Return chaser (..., 6) and obstacles (..., M, 6) of what came down."""
     return measured[..., :6], _rows(measured[..., 6:])
 
 

@@ -74,7 +74,7 @@ class Craft:
 
 @settings
 class Obstacles:
-    """What the ground knows of the obstacles before the flight: how many, how large, how they move."""
+    """What is known of the obstacles before the flight: how many, how large, how they move."""
 
     number: int = param(
         -1, 'Number of obstacles, the first ones of those listed, where -1 means all.', low=-1,
@@ -119,7 +119,7 @@ def reach_m(craft: Craft, obstacles: Obstacles) -> NDArray[np.float64]:
 
 
 def away(start: Start) -> tuple[int, int, int]:
-    """Return signs of x, y, z that lead away from the target: along the longest axis of the start."""
+    """Return signs of x, y, z that lead away from the target, along the longest axis."""
     longest = int(np.argmax(np.abs(start.position_m)))
     return tuple(int(np.sign(v)) if i == longest else 0 for i, v in enumerate(start.position_m))
 

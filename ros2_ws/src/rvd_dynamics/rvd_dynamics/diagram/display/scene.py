@@ -179,7 +179,7 @@ Surface = Revolved | Sphere
 
 @dataclass(frozen=True)
 class Spheres:
-    """Spheres that move: their places are the rows of a part of a signal, the first three numbers."""
+    """Spheres that move: their places are the first three numbers of the rows of a part."""
 
     name: str
     role: str
@@ -195,7 +195,7 @@ class Spheres:
 
 @dataclass(frozen=True)
 class Field:
-    """What markers draw of a field of spheres: those that stand still, those that move, the craft."""
+    """What markers draw of a field: spheres that stand still, spheres that move, the craft."""
 
     still: tuple[Sphere, ...]
     moving: tuple[Spheres, ...]

@@ -73,7 +73,8 @@ class Markers(RunNode):
         # the truth too, whose writer waits for its readers
         self._watched = [topic for topic in SOURCES if self.host.roster.topics.get(topic) == STATE]
         for topic, (body, trail, _) in SOURCES.items():
-            if topic in self._watched and (topic != '/truth/relative_state' or self._params.show_truth):
+            shown = topic != '/truth/relative_state' or self._params.show_truth
+            if shown and topic in self._watched:
                 self._bodies[topic] = self._viewed(f'/viz/{body}', qos.VIEW)
                 self._trails[topic] = self._viewed(f'/viz/trail/{trail}', qos.VIEW)
                 self._paths[topic] = Path(header=Header(frame_id=self.run.frame_id))
