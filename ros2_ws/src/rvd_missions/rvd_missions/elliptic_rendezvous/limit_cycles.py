@@ -120,8 +120,8 @@ def multipliers(jacobian: NDArray) -> NDArray:
     half, det = _trace(jacobian)/2, _det(jacobian)
     root = np.sqrt(complex(half*half - det))
     large = half + root if half >= 0.0 else half - root
-    # the small one from the product, which keeps its digits
-    return np.array([large, det/large if root.imag == 0.0 and large != 0.0 else half - root])
+    # the other one from the product, which keeps its digits
+    return np.array([large, det/large if large else 0.0])
 
 
 def _trace(jacobian: NDArray) -> float:
