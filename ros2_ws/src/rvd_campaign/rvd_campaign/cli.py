@@ -82,6 +82,7 @@ def parser() -> argparse.ArgumentParser:
     _add_calibrate(commands)
     _add_list(commands)
     _add_stick(commands)
+    _add_limit_cycles(commands)
     _add_bench(commands)
     return top
 
@@ -219,6 +220,16 @@ def _add_stick(commands: argparse._SubParsersAction) -> None:
     stick.set_defaults(run=_stick)
 
 
+def _add_limit_cycles(commands: argparse._SubParsersAction) -> None:
+    from rvd_campaign import limit_cycles
+    cycles = commands.add_parser(
+        'limit-cycles', help='limit cycles of range-rate control on elliptic orbits',
+        description='Compute the limit cycle of the direction angle, its multipliers and the '
+                    'approach corridor, or follow a branch of cycles in a parameter.')
+    limit_cycles.add_arguments(cycles)
+    cycles.set_defaults(run=_limit_cycles)
+
+
 def _add_bench(commands: argparse._SubParsersAction) -> None:
     bench = commands.add_parser(
         'bench', help='measure the speed on this machine',
@@ -280,6 +291,11 @@ def _stick(args: argparse.Namespace) -> int:
     preflight.check()                           # before ROS is loaded, which may end the process
     from rvd_campaign.flight import stick
     return stick.main(args)
+
+
+def _limit_cycles(args: argparse.Namespace) -> int:
+    from rvd_campaign import limit_cycles
+    return limit_cycles.main(args)
 
 
 def _bench(args: argparse.Namespace) -> int:

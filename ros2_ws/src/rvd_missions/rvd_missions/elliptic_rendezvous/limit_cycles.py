@@ -13,7 +13,7 @@ Source  Yu, Yang 1998, with `poincare`; H. B. Keller, in Applications of Bifurca
 """
 
 from dataclasses import dataclass, replace
-from math import asin, cos, inf, pi, radians, sin
+from math import asin, inf, pi, radians
 from typing import Callable, Iterator
 
 import numpy as np
