@@ -3,7 +3,7 @@
 from setuptools import find_packages, setup
 
 NAME = 'rvd_missions'
-MISSIONS = ['lunar_approach', 'attitude_hold', 'obstacle_field']
+MISSIONS = ['lunar_approach', 'attitude_hold', 'obstacle_field', 'elliptic_rendezvous']
 BLOCKS = ['attitude_dynamics', 'attitude_sensors', 'attitude_controller']
 
 setup(

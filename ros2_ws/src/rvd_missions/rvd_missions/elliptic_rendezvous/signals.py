@@ -1,0 +1,29 @@
+"""
+Signals of the rendezvous. Frame: target orbital, state (x, y, z, vx, vy, vz).
+"""
+
+from rvd_dynamics.diagram.signal import Part, Signal
+from rvd_dynamics.link import signals as link
+
+CODECS = link.CODECS
+STATE = 'rvd_interfaces/msg/RelativeState'
+
+_state = Part('state', (6,), 'm, m/s')
+_valid = Part('valid', (), '', '?')
+_command = Part('command', (3,), 'm/s^2', initial=0.0)
+
+TRUTH = Signal('/truth/relative_state', (
+    _state, Part('acceleration', (3,), 'm/s^2'), Part('final', (), '', '?')),
+    STATE, f'{CODECS}:Truth', truth=True)
+DOWNLINK, TELEMETRY = link.downlink(_state), link.telemetry(_state)
+_covariance = Part('covariance', (6, 6), 'm, m/s', optional=True)      # nobody estimates it
+PREDICTION = Signal('/ground/prediction', (_state, _valid, _covariance), STATE,
+                    f'{CODECS}:Prediction')
+GUIDANCE = Signal('/ground/guidance', (     # what the law sees and wants
+    Part('range', (), 'm'), Part('direction', (), 'rad'), Part('range_rate', (), 'm/s'),
+    Part('direction_rate', (), 'rad/s'), Part('reference_rate', (), 'm/s'),
+    Part('along', (), 'm/s^2'), Part('across', (), 'm/s^2'), Part('anomaly', (), 'rad'),
+    Part('near', (), '', '?')))
+COMMAND = Signal('/ground/command', (_command, link.KIND))
+UPLINK, ARRIVAL = link.uplink(_command), link.arrival(_command)
+THRUST = link.thrust(_command)
