@@ -112,7 +112,7 @@ def _add_fly(commands: argparse._SubParsersAction) -> None:
                      help='with --tape BAG: the topic of sensor_msgs/Joy to replay (default: /joy)')
     fly.add_argument('--pace', metavar='lockstep|realtime|FACTOR',
                      help='lockstep: as fast as possible; realtime; or FACTOR times real time '
-                          '(default: 10, or realtime for a person at a stick)')
+                          '(default: the scenario, else 10; realtime for a person at a stick)')
     fly.add_argument('--seed', type=int, metavar='N', help='seed of every random stream')
     fly.add_argument('--out', metavar='DIR',
                      help='run folder, must not exist yet (default: runs/<time>-<scenario>)')

@@ -11,7 +11,7 @@ import numpy as np
 from rvd_campaign.campaign.engine import check_same, open_folder, refly
 from rvd_campaign.campaign.results import order_of, rows, Table
 from rvd_campaign.exits import CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_FAILED
-from rvd_campaign.flight.fly import pace_of
+from rvd_campaign.flight.fly import paced
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.in_process import fly, judge_of
 from rvd_dynamics.diagram.judge import judgement
@@ -22,10 +22,11 @@ FIXED = ('scenario', 'mode', 'operator', 'tape', 'tape_topic', 'seed')  # argume
 
 def chosen(args: argparse.Namespace) -> Scenario:
     """Return the scenario of the run that the command line names."""
-    values = pace_of(args.pace)
+    scenario = _chosen(args)[0]
+    values = paced(args.pace, scenario)
     if args.processes:
         values['processes'] = args.processes
-    return _chosen(args)[0].with_values('/**', **values)
+    return scenario.with_values('/**', **values)
 
 
 def _chosen(args: argparse.Namespace) -> tuple[Scenario, Table]:

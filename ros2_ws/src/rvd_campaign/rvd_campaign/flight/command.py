@@ -16,8 +16,8 @@ CONSOLE = {'port': 8480, 'bind': '127.0.0.1', 'tls_cert': '', 'tls_key': '', 'se
 def main(args: argparse.Namespace) -> int:
     """Fly one approach as the command line asks; return the exit code."""
     again = None
-    if args.pace is None:                       # a person flies in real time
-        args.pace = 'realtime' if args.operator in ('console', 'joy') else '10'
+    if args.pace is None and args.operator in ('console', 'joy'):   # a person flies in real time
+        args.pace = 'realtime'
     if args.campaign is not None:
         from rvd_campaign.campaign import again
         if args.in_process:

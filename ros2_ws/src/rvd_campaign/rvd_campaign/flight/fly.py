@@ -30,6 +30,7 @@ from rvd_groundstation.operators.tape import read_tape, TOPIC
 START_S = 60.0                  # [s] wall time for the graph to come up
 END_S = 15.0                    # [s] wall time for the nodes to end after the verdict
 STALL_S = 10.0                  # [s] wall time without a step before the run is given up
+USUAL_PACE = '10'               # of a scenario that names none
 SHOW_S = 0.2                    # [s] wall time between two looks
 STOPPED_S = 5.0                 # [s] wall time without a look: this process did not run
 
@@ -38,7 +39,7 @@ def chosen(args: argparse.Namespace) -> Scenario:
     """Return the scenario with what the command line changes in it."""
     usual = 'hand' if args.operator == 'console' else 'paper'
     scenario = load(catalogue.find('scenarios', args.scenario or usual, ('.yaml',)))
-    shared: dict[str, object] = dict(pace_of(args.pace))
+    shared: dict[str, object] = paced(args.pace, scenario)
     if args.processes:
         shared['processes'] = args.processes
     for flag in ('mode', 'operator', 'tape'):
@@ -96,6 +97,13 @@ def introduced(scenario: Scenario) -> str:
         operation = scenario.part('operation')
         words += [f'mode {operation.mode}', f'operator {operation.operator}']
     return ', '.join([*words, f'seed {scenario.run.seed}'])
+
+
+def paced(pace: str | None, scenario: Scenario) -> dict[str, object]:
+    """Return the pace settings of `--pace`; without it those that the scenario gives count."""
+    if pace is None and 'pace' in scenario.sections.get('/**', {}):
+        return {}
+    return pace_of(pace or USUAL_PACE)
 
 
 def pace_of(text: str) -> dict[str, object]:

@@ -61,8 +61,8 @@ class Judge:
               if around else ()))
         self._step_s, self._orbit, self._batch, self._around = run.step_s, orbit, batch, around
         self._arrival, self._lost_range = arrival, arrival.lost_range_factor*start.range_m
-        # the combined mode comes to rest at the range: it is there when it holds it
-        self._reached_m = arrival.range_m + (tolerance if around else 0.0)
+        # the combined mode comes to rest at the range, which it may never cross
+        self._reached_m = arrival.range_m + (tolerance/2.0 if around else 0.0)
         self._phi_d = np.radians(law.fly_around.phi_d_deg) if around else 0.0
         self._ended, self._near = np.zeros((2, *batch), dtype=bool)
         self._reason, self._duration = np.zeros(batch, dtype=int), np.zeros(batch)
