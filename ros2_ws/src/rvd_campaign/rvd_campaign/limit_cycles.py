@@ -39,12 +39,25 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     branch.add_argument('--until', type=float, metavar='X', help='where it is to end')
     branch.add_argument('--points', type=int, default=400, metavar='N',
                         help='points of the branch, at most (default: 400)')
+    study = parser.add_argument_group('the study (without a case: the cycles, branches and flights '
+                                      'of the paper\'s Figures 3 to 13)')
+    study.add_argument('--out', metavar='DIR',
+                       help='folder, must not exist yet (default: runs/<time>-limit-cycles)')
+    study.add_argument('--no-flights', action='store_true',
+                       help='leave out the flights, which take a minute: Figures 7 to 13')
 
 
 def main(args: argparse.Namespace) -> int:
     """Do what the command line asks; return the exit code."""
-    case = replace(CycleCase(), **{f.name: getattr(args, f.name) for f in fields(CycleCase)
-                                   if getattr(args, f.name) is not None})
+    given = {f.name: getattr(args, f.name) for f in fields(CycleCase)
+             if getattr(args, f.name) is not None}
+    case = replace(CycleCase(), **given)
+    asked = given or args.json or args.along or args.until is not None
+    if asked and (args.out or args.no_flights):
+        raise CannotRun('--out and --no-flights go with the study: without a case')
+    if not asked:
+        from rvd_campaign.report import cycles
+        return cycles.study(case, args.out, flights=not args.no_flights)
     if args.along:
         return _branch(args, case)
     if args.until is not None:
