@@ -42,7 +42,7 @@ def trajectory(run: Recording) -> 'Canvas':
 
 def direction(run: Recording) -> 'Canvas':
     """Draw the direction over orbits, with the corridor of the limit cycle (Figures 8 and 11)."""
-    figure = canvas(3.6)
+    figure = canvas(3.6, left=0.08)
     axes = figure.subplots()
     orbits, phi, _ = _seen(run)
     axes.plot(orbits, np.degrees(phi), color=INK, label='true direction')
@@ -101,8 +101,10 @@ def thrust(run: Recording) -> 'Canvas':
 
 def fly_around(run: Recording) -> 'Canvas':
     """Draw the second stage of the combined mode (Figure 13)."""
-    figure = canvas(4.2, wspace=0.24)
-    plane, over = figure.subplots(1, 2)
+    figure = canvas(4.2, wspace=0.24, hspace=0.12)
+    grid = figure.add_gridspec(2, 2)
+    plane, over = figure.add_subplot(grid[:, 0]), figure.add_subplot(grid[0, 1])
+    error = figure.add_subplot(grid[1, 1], sharex=over)
     orbits, phi, los = _seen(run)
     arrival = run.scenario.part('arrival')
     first = _arrived(run, orbits) or max(len(orbits) - 1, 0)
@@ -117,11 +119,10 @@ def fly_around(run: Recording) -> 'Canvas':
     shift = 360.0*np.round((shown[-1] - wanted)/360.0) if len(shown) else 0.0
     over.plot(orbits[first:], shown, color=INK)
     over.axhline(wanted + shift, color=GREEN, linewidth=1.2, linestyle=DASHED)
-    over.set(xlabel='orbits of the target from perigee', ylabel='direction [deg]')
-    error = over.twinx()
-    error.plot(orbits[first:], los.range[first:] - arrival.range_m, color=ORANGE, linewidth=1.0)
-    error.set_ylabel('range error [m]', color=ORANGE)
-    error.grid(False)
+    over.set(ylabel='direction [deg]')
+    over.tick_params(labelbottom=False)
+    error.plot(orbits[first:], los.range[first:] - arrival.range_m, color=ORANGE)
+    error.set(xlabel='orbits of the target from perigee', ylabel='range error [m]')
     return figure
 
 
@@ -210,6 +211,6 @@ FIGURES = {
         signals=(TRUTH.name,)),
     'fly_around': Figure(
         fly_around, 'After the arrival',
-        'The way and the direction after the arrival, the range error in orange. Green: the '
-        'range that is held and the direction that is wanted.', signals=(TRUTH.name,)),
+        'The way, the direction and the range error after the arrival. Green: the range that is '
+        'held and the direction that is wanted.', signals=(TRUTH.name,)),
 }

@@ -202,13 +202,17 @@ def follow(case: CycleCase, parameter: str, first: float, last: float,
     follower = _Follower(weights(case), parameter)
     x = np.append(at_first.start, first/follower.size)
     track, events = [], []
-    low, high = min(first, last), max(first, last)
+    low, high = min(first, last)/follower.size, max(first, last)/follower.size
     for x, jacobian, event in follower.along(x, np.sign(last - first)):
+        over = bool(track) and not low <= x[2] <= high
+        if over:                                        # end on the bound
+            x, jacobian, _ = follower.between(track[-1][0], x, low if x[2] < low else high)
         events += event
-        track.append((x[2]*follower.size, x[:2], jacobian))
-        if len(track) == points or not low <= x[2]*follower.size <= high:
+        track.append((x, jacobian))
+        if over or len(track) == points:
             break
-    at, starts, jacobians = (np.array(column) for column in zip(*track))
+    at = np.array([x[2]*follower.size for x, _ in track])
+    starts, jacobians = np.array([x[:2] for x, _ in track]), np.array([j for _, j in track])
     return Branch(parameter, at, starts, jacobians, tuple(events))
 
 
@@ -258,6 +262,12 @@ class _Follower:
         """Return the cycle at this value of the scaled parameter next to `start`."""
         x = np.append(start, value)
         return self.correct(x, np.array([0.0, 0.0, 1.0]), 0.0, x)[:3]
+
+    def between(self, before: NDArray, after: NDArray, value: float
+                ) -> tuple[NDArray, NDArray, NDArray]:
+        """Return the cycle between two neighbours of a branch at a scaled parameter."""
+        part = (value - before[2])/(after[2] - before[2])
+        return self.correct_at((before + part*(after - before))[:2], value)
 
     def tangent(self, jacobian: NDArray, by_parameter: NDArray) -> NDArray:
         """Return the direction of the branch, one of two."""
@@ -321,9 +331,8 @@ class _Follower:
             if after[2] >= goal or folds:
                 end = after if after[2] >= goal else np.append(folds[0].start,
                                                                folds[0].at/self.size)
-                part = (goal - before[2])/(end[2] - before[2])
                 self._tolerance = TOLERANCE
-                return self.correct_at((before + part*(end - before))[:2], goal)[0]
+                return self.between(before, end, goal)[0]
             if after[2] < 0.0 or n == POINTS:
                 return None
             before = after
