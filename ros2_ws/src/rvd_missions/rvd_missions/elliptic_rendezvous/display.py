@@ -6,7 +6,7 @@ from math import cos, pi, sin
 
 from rvd_dynamics.diagram.display import (
     Body, Box, Chart, Charts, CommandAxis, CommandRow, Commands, Cylinder, Display, Flat,
-    Instrument, Instruments, Label, Line, Number, Reading, Ref, Trail)
+    Instrument, Instruments, Label, Line, Number, Reading, Ref, Trail, TRUTH)
 from rvd_missions.elliptic_rendezvous.laws import Rrca
 from rvd_missions.elliptic_rendezvous.settings import ArrivalParams, StartParams
 from rvd_missions.elliptic_rendezvous.signals import COMMAND, GUIDANCE, PREDICTION, TELEMETRY
@@ -17,7 +17,7 @@ CRAFT = (Box((4.0, 2.5, 2.5)), Cylinder(0.8, 1.0, centre_m=(2.5, 0.0, 0.0)))
 
 def display(start: StartParams, arrival: ArrivalParams, law: Rrca) -> Display:
     """Return the display of a run."""
-    measured, predicted = Ref(TELEMETRY.name, 'state'), Ref(PREDICTION.name, 'state')
+    measured, predicted = Ref(TELEMETRY.name, 'state'), Ref(PREDICTION.name, 'position')
     hold = arrival.range_m
 
     def seen(label: str, unit: str, part: str, factor: float = 1.0, digits: int = 2) -> Instrument:
@@ -27,10 +27,12 @@ def display(start: StartParams, arrival: ArrivalParams, law: Rrca) -> Display:
         measured=TELEMETRY.name, predicted=PREDICTION.name,
         bodies=(Body('target', 'target', CRAFT, label='target'),
                 Body('chaser', 'measured', CRAFT, measured, label='chaser'),
-                Body('predicted chaser', 'predicted', CRAFT, predicted)),
+                Body('predicted chaser', 'predicted', CRAFT, predicted),
+               Body('true chaser', 'truth', CRAFT, Ref(TRUTH, 'position'), label='truth')),
         lines=(Line('hold', 'goal', _circle(hold), dashed=True),
                Line('far', 'plain', _circle(10.0*hold), dashed=True),
-               Trail('way', 'measured', measured), Trail('way ahead', 'predicted', predicted)),
+               Trail('way', 'measured', measured), Trail('way ahead', 'predicted', predicted),
+               Trail('true way', 'truth', Ref(TRUTH, 'position'))),
         labels=(Label(f'{hold:g} m', (0.0, 1.06*hold, 0.0)),
                 Label(f'{10*hold:g} m', (0.0, 10.6*hold, 0.0))),
         views=(Flat('Near', '+x', '+y', span_m=5.0*hold),
