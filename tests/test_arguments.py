@@ -137,7 +137,7 @@ def test_list_names_what_can_be_chosen(what, some, tmp_path):
     assert len(line.split()) > 3                # and says what it is
 
 
-@pytest.mark.parametrize('command', ['', 'fly', 'report', 'list', 'bench'])
+@pytest.mark.parametrize('command', ['', 'fly', 'report', 'list', 'limit-cycles', 'bench'])
 def test_help_explains_every_command(command, tmp_path):
     done = rvd(*command.split(), '--help', cwd=tmp_path)
     assert done.returncode == 0 and 'usage: rvd' in done.stdout

@@ -12,7 +12,7 @@ from rvd_campaign.campaign.spec import (
 from rvd_campaign.catalogue import entries
 from rvd_groundstation.operators.pilot import PILOTS
 
-SHIPPED = ['delay', 'eta', 'loss', 'replicates', 'table3', 'variants']
+SHIPPED = ['delay', 'ellipse', 'eta', 'loss', 'replicates', 'table3', 'variants']
 
 
 def test_conditions_times_grid():
