@@ -107,11 +107,7 @@ def test_help_lists_the_commands_without_setting_up(project):
 
 def test_every_command_in_python_is_passed_on():
     commands = next(action.choices for action in cli.parser()._actions if action.dest == 'command')
-<<<<<<< HEAD
-    listed = re.search(r'^    ([a-z |]+)\)\n +load\n(?:.*\n){1,3} +exec .*python -m rvd_campaign.cli',
-=======
-    listed = re.search(r'^    ([a-z| -]+)\)\n +load\n.*\n +exec python -m rvd_campaign.cli',
->>>>>>> 71d5272 (Tests, validation: the house knows limit-cycles and the campaign ellipse)
+    listed = re.search(r'^    ([a-z| -]+)\)\n +load\n(?:.*\n){1,3} +exec .*python -m rvd_campaign.cli',
                        (ROOT / 'rvd').read_text(), re.MULTILINE).group(1)
     assert set(listed.split(' | ')) == set(commands)
 

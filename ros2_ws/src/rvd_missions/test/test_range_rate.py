@@ -207,9 +207,9 @@ def test_gains_of_the_wrong_sign_are_refused(law, given, words):
 
 
 def test_gains_of_the_transverse_thruster_are_refused_likewise():
-    for given in ({'q': 0.0}, {'q': -3.0}, {'q1': -0.1}, {'ff': 'some'}):
-        with pytest.raises(BadInput, match=list(given)[0]):
-            Odrrca(**given)
+    for wrong in ({'q': 0.0}, {'q': -3.0}, {'q1': -0.1}, {'ff': 'some'}):
+        with pytest.raises(BadInput, match=list(wrong)[0]):
+            Odrrca(**wrong)
     assert replace(Rrca(), k2=-0.5).k2 == -0.5
 
 
