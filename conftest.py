@@ -14,11 +14,14 @@ settings.register_profile('rvd_ci', deadline=None, derandomize=True, print_blob=
 settings.load_profile('rvd_ci' if os.environ.get('CI') else 'rvd')
 
 
-def pytest_collection_modifyitems(items):
+def pytest_collection_modifyitems(config, items):
     """
     Run what is quick to fail first; within fast and slow the order of the files stays.
+
+    Where two run at a time the slow files come first: else one is left alone with them.
     """
-    items.sort(key=lambda item: item.get_closest_marker('slow') is not None)
+    side_by_side = hasattr(config, 'workerinput')
+    items.sort(key=lambda item: (item.get_closest_marker('slow') is None) == side_by_side)
 
 
 @pytest.fixture

@@ -49,6 +49,7 @@ def test_a_killed_node_is_named_and_the_run_ends_with_2(victim, flying, tmp_path
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 @pytest.mark.parametrize('victim, scenario', [
     ('auto_controller', 'paper'), ('link_back', 'paper'), ('bag_recorder', 'paper'),
     ('operator_model', 'barrier')])             # there the law waits for the stick, too
@@ -93,6 +94,7 @@ def test_a_killed_recorder_loses_nothing_it_had_received(flying, tmp_path):
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 @pytest.mark.parametrize('name', ['bag_recorder', 'mission_monitor'])
 def test_a_run_does_not_go_on_without_a_node_that_somebody_has_ended(name, flying, tmp_path):
     process = flying('--pace', '1')

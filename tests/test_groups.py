@@ -327,6 +327,7 @@ def last_in(path):
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 @pytest.mark.parametrize('victim, nodes', [
     ('ground', 'state_predictor'), ('link', 'link_back|link_forward|link_back, link_forward')])
 def test_of_a_hung_group_the_block_that_owes_is_named(victim, nodes, flying, tmp_path):

@@ -75,6 +75,7 @@ def ends(flights: dict[str, subprocess.Popen], end, patience_s: float = GONE_S) 
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 @pytest.mark.parametrize('number', [signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGKILL],
                          ids=lambda number: number.name)
 def test_a_signal_at_any_moment_leaves_no_process(tmp_path, number):
@@ -99,6 +100,7 @@ def children_named(word: str, mark: str) -> list[int]:
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 @pytest.mark.parametrize('word', ['scripts/bringup.sh', '__node:=state_predictor'])
 def test_what_is_killed_inside_takes_the_rest_with_it(tmp_path, word):
     """The bring-up itself, and one of its nodes."""
@@ -113,6 +115,7 @@ def test_what_is_killed_inside_takes_the_rest_with_it(tmp_path, word):
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 def test_both_supervisors_killed_at_once_leave_no_node(tmp_path):
     mark = uuid.uuid4().hex
     flight = start(tmp_path / 'run', mark)
@@ -128,6 +131,7 @@ def test_both_supervisors_killed_at_once_leave_no_node(tmp_path):
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 def test_a_bring_up_by_hand_ends_all_when_one_fails(tmp_path):
     mark = uuid.uuid4().hex
     bringup = subprocess.Popen(

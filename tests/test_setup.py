@@ -29,7 +29,7 @@ PYTHONS = ['3.10', '3.11', '3.12', '3.13']
 def for_real(test):
     """Mark a test that sets a copy up: minutes on a busy machine, and only where wheels exist."""
     wheels = pytest.mark.skipif(platform.machine() != 'x86_64', reason='wheels are for x86_64')
-    return pytest.mark.slow(pytest.mark.timeout(1800)(wheels(test)))
+    return pytest.mark.slow(pytest.mark.patient(pytest.mark.timeout(1800)(wheels(test))))
 
 
 def outside():

@@ -16,6 +16,7 @@ SCENARIO = """/**:
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 @pytest.mark.parametrize('who', ['the command', 'the computer'])
 def test_a_run_that_stood_still_flies_to_its_end(tmp_path, who):
     (tmp_path / 's.yaml').write_text(SCENARIO)

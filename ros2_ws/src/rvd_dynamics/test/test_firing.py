@@ -148,7 +148,7 @@ def test_a_block_of_any_rate_that_stops_is_the_one_that_owes(chosen, dead, until
     frozen.may_fire = lambda: frozen._next < until and alive()
     roster = frozen.roster
     steps, still = None, 0
-    while still < 50 or not nodes['plant']._started:            # turns without a step
+    while still < 50 or not nodes['plant'].started:            # turns without a step
         side_by_side.turn()
         before, steps = steps, {name: node.step for name, node in nodes.items()}
         still = still + 1 if steps == before else 0

@@ -74,7 +74,7 @@ class PlantNode(BlockNode):
 
     def may_fire(self) -> bool:
         """In lock step, say whether the next step is due; in real time the clock alone does."""
-        return (self._started_ns is not None and not self.realtime and not self._paused and not self._too_far()
+        return (self.started and not self.realtime and not self._paused and not self._too_far()
                 and super().may_fire())
 
     def _too_far(self) -> bool:
@@ -84,6 +84,11 @@ class PlantNode(BlockNode):
         elif self.trouble:
             self.trouble.pop('recorder', None)
         return behind
+
+    @property
+    def started(self) -> bool:
+        """Whether every node of the run has been ready, and steps are made."""
+        return self._started_ns is not None
 
     def on_ready(self) -> None:
         """Say what is flown, once it is sure that no other run hears it."""
@@ -97,7 +102,7 @@ class PlantNode(BlockNode):
             self._met(run, info['source_timestamp'])
             return
         self._waiting_for.discard(name)
-        if self._waiting_for or self._started_ns is not None:
+        if self._waiting_for or self.started:
             return
         self._started_ns = time.time_ns()
         if self.realtime:
@@ -114,7 +119,7 @@ class PlantNode(BlockNode):
         other was ready before it started.
         """
         domain = self.context.get_domain_id()
-        if self._started_ns is None or ready_ns <= self._started_ns:
+        if not self.started or ready_ns <= self._started_ns:
             raise BadInput(f'another run has come into ROS_DOMAIN_ID={domain}: {in_words(run)}; '
                            'give each run its own')
         if run not in self._strangers:
@@ -149,5 +154,5 @@ class PlantNode(BlockNode):
         self._paused = paused
         self.event('PAUSE' if paused else 'RESUME', 'simulation time '
                    + ('stands still' if paused else 'goes on'))
-        if self._started_ns is not None and self.realtime and not paused:
+        if self.started and self.realtime and not paused:
             self._origin = time.monotonic() - self._next * self._step_s
