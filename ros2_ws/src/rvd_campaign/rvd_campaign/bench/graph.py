@@ -50,7 +50,7 @@ PATIENCE_S = 120.0              # [s] wall time for one flight, start included
 
 
 class Unheard(BadInput):
-    """Too few steps of a flight were heard while they were new."""
+    """A flight that could not be measured: too few steps were heard while they were new."""
 
 
 @dataclass
@@ -152,7 +152,7 @@ def fly_ours(scenario: Path, folder: Path, domain: int) -> Meter:
         supervisor.stop()
         observer.close()
     for name, code in supervisor.failures().items():
-        raise BadInput(f'{name} ended with code {code}: {supervisor.last_words(name)}')
+        raise Unheard(f'{name} ended with code {code}: {supervisor.last_words(name)}')
     return meter
 
 
@@ -226,8 +226,8 @@ def measure(repeats: int = 5, name: str = SCENARIO, before: Checkout | None = No
             paths['before'] = Path(top) / 'before.yaml'
             paths['before'].write_text(before.scenario(name, **LOCKSTEP), encoding='utf-8')
         for repeat in range(repeats):
-            folder = Path(top) / f'run{repeat}'
-            meter = fly_ours(paths['blocks'], folder, domain)
+            meter, folder = heard(lambda attempt: _flown(
+                paths['blocks'], Path(top) / f'run{repeat}.{attempt}', domain))
             messages.write_text(json.dumps(sent(folder, roster)), encoding='utf-8')
             ours.append(meter.result())
             bare.append(fly_bare(paths['blocks'], meter.steps[-1], roster, messages,
@@ -255,8 +255,17 @@ def measure(repeats: int = 5, name: str = SCENARIO, before: Checkout | None = No
             'step_s': base.run.step_s}
 
 
-def heard(fly: Callable[[int], dict]) -> dict:
-    """Return what `fly(attempt)` returns, again where the observer found the nodes too late."""
+def _flown(scenario: Path, folder: Path, domain: int) -> tuple[Meter, Path]:
+    return fly_ours(scenario, folder, domain), folder
+
+
+def heard(fly: Callable[[int], Any]) -> Any:
+    """
+    Return what `fly(attempt)` returns, again where the flight could not be measured.
+
+    The observer may find the nodes too late; and of some hundred processes one hangs in Fast DDS
+    when it leaves (see `lifeline.leaving`) and is ended with code 1.
+    """
     for attempt in range(ATTEMPTS - 1):
         try:
             return fly(attempt)
