@@ -70,6 +70,12 @@ def _goes_out_at_once(host, topic):
     return bool(publisher.messages)
 
 
+def test_a_process_of_one_block_keeps_nothing(process):
+    host = process('onboard')
+    assert _goes_out_at_once(host, '/onboard/thruster_command')
+    assert len(host.firing) == 1 and not list(host.nodes['onboard_guard'].timers)
+
+
 def test_a_handful_goes_out_in_order_without_waiting_for_the_timer(process):
     host, publisher = process('world'), Noted()
     for step in range(HANDFUL - 1):

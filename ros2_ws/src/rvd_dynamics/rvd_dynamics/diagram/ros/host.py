@@ -185,8 +185,8 @@ class Host:
                          String(data=identity.ready_words(name, self.run_id)))
         for node in self.nodes.values():
             node.guarded(node.on_ready)()
-        if self.scenario.run.pace == 'lockstep':
-            self._gather()
+        if self.scenario.run.pace == 'lockstep' and len(self.firing) > 1:
+            self._gather()                  # its timer would cost a single block more than it saves
 
     # -- while it runs ----------------------------------------------------------------------
 
@@ -335,7 +335,7 @@ def _init(argv: list[str]) -> None:
         said = re.sub(r', at \S+:\d+$', '', ' '.join(str(error).split()))
         raise BadInput(f'ROS does not start: {said}') from None
     domain = rclpy.get_default_context().get_domain_id()
-    if domain > identity.LARGEST_DOMAIN:                     # DDS would end the process without a word of ours
+    if domain > identity.LARGEST_DOMAIN:        # DDS would end the process without a word of ours
         raise BadInput(f'ROS_DOMAIN_ID={domain} must be from 0 to {identity.LARGEST_DOMAIN}')
 
 
