@@ -8,6 +8,7 @@ time of every node process is noted; the figures are differences between a note 
 last one, so that start-up and end do not count.
 """
 
+from contextlib import suppress
 from dataclasses import dataclass, field
 import json
 import os
@@ -192,10 +193,18 @@ def fly_before(checkout: Checkout, scenario: Path, folder: Path, domain: int) ->
     observer = Observer(domain)
     flight = BringUp(checkout, scenario, folder, domain)
     try:
-        return observer.follow(flight.ended, flight.pids)
+        meter = observer.follow(flight.ended, flight.pids)
+    except BaseException:                       # Ctrl-C, too
+        with suppress(BadInput):
+            flight.stop()
+        raise
     finally:
         observer.close()
+    try:
         flight.stop()
+    except BadInput as error:                   # a node hung as it left, or the checkout is wrong
+        raise Unheard(str(error)) from None
+    return meter
 
 
 def measure(repeats: int = 5, name: str = SCENARIO, before: Checkout | None = None
@@ -233,8 +242,8 @@ def measure(repeats: int = 5, name: str = SCENARIO, before: Checkout | None = No
             bare.append(fly_bare(paths['blocks'], meter.steps[-1], roster, messages,
                                  domain).result())
             if before is not None:
-                others.append(fly_before(before, paths['before'], folder / 'before',
-                                         domain).result())
+                others.append(heard(lambda attempt: fly_before(
+                    before, paths['before'], folder / f'before{attempt}', domain).result()))
             for processes, flown in fewer.items():
                 flown.append(heard(lambda attempt: fly_ours(
                     paths[processes], folder / f'{processes}{attempt}', domain).result()))
