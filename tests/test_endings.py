@@ -119,3 +119,22 @@ def test_a_node_that_hangs_after_the_flight_does_not_take_the_verdict_with_it(mo
     flight._watch = SimpleNamespace(spin=lambda s: time.sleep(0.01), new_events=list, steps=1)
     flight._wait_for_the_nodes()
     assert 'link_forward did not end after the flight' in capsys.readouterr().err
+
+
+@pytest.mark.parametrize('final', [True, False])
+def test_a_node_that_fails_when_the_bag_has_the_verdict_takes_nothing_with_it(
+        final, monkeypatch, capsys):
+    """`fly` need not have heard the verdict: a short run is over before it knows the others."""
+    from types import SimpleNamespace
+
+    from rvd_campaign.flight import fly
+    flight = object.__new__(fly.Flight)
+    flight._headless, flight._on_line, flight._stop_asked = True, False, lambda: False
+    flight._roster = SimpleNamespace(diagram=SimpleNamespace(externals=()))
+    flight._supervisor = SimpleNamespace(pids={'world': 1}, codes={'world': 1}, ended=True,
+                                         failures=lambda: {'world': 1})
+    flight._watch = SimpleNamespace(spin=lambda s: None, new_events=list, steps=0, verdict=None)
+    monkeypatch.setattr(flight, '_outcome', lambda: (SimpleNamespace(final=final), {}))
+    monkeypatch.setattr(flight, '_why', lambda failures: f'{failures}')
+    assert flight._follow() == (None if final else "{'world': 1}")
+    assert ("after the flight {'world': 1}" in capsys.readouterr().err) == final

@@ -96,7 +96,7 @@ def project(tmp_path):
 # ------------------------------------------------------------------------- without setting up
 
 def test_help_lists_the_commands_without_setting_up(project):
-    for arguments in [('help',), ('--help',), ()]:
+    for arguments in [('help',), ('--help',), (), ('setup', '--help'), ('node', '-h')]:
         done = rvd(project, *arguments)
         assert done.returncode == 0
         assert re.findall(r'^  ([\w-]+) ', done.stdout, re.MULTILINE) == [

@@ -8,6 +8,7 @@ time of every node process is noted; the figures are differences between a note 
 last one, so that start-up and end do not count.
 """
 
+from contextlib import suppress
 from dataclasses import dataclass, field
 import json
 import os
@@ -50,7 +51,7 @@ PATIENCE_S = 120.0              # [s] wall time for one flight, start included
 
 
 class Unheard(BadInput):
-    """Too few steps of a flight were heard while they were new."""
+    """A flight that could not be measured: too few steps were heard while they were new."""
 
 
 @dataclass
@@ -152,7 +153,7 @@ def fly_ours(scenario: Path, folder: Path, domain: int) -> Meter:
         supervisor.stop()
         observer.close()
     for name, code in supervisor.failures().items():
-        raise BadInput(f'{name} ended with code {code}: {supervisor.last_words(name)}')
+        raise Unheard(f'{name} ended with code {code}: {supervisor.last_words(name)}')
     return meter
 
 
@@ -192,10 +193,18 @@ def fly_before(checkout: Checkout, scenario: Path, folder: Path, domain: int) ->
     observer = Observer(domain)
     flight = BringUp(checkout, scenario, folder, domain)
     try:
-        return observer.follow(flight.ended, flight.pids)
+        meter = observer.follow(flight.ended, flight.pids)
+    except BaseException:                       # Ctrl-C, too
+        with suppress(BadInput):
+            flight.stop()
+        raise
     finally:
         observer.close()
+    try:
         flight.stop()
+    except BadInput as error:                   # a node hung as it left, or the checkout is wrong
+        raise Unheard(str(error)) from None
+    return meter
 
 
 def measure(repeats: int = 5, name: str = SCENARIO, before: Checkout | None = None
@@ -226,15 +235,15 @@ def measure(repeats: int = 5, name: str = SCENARIO, before: Checkout | None = No
             paths['before'] = Path(top) / 'before.yaml'
             paths['before'].write_text(before.scenario(name, **LOCKSTEP), encoding='utf-8')
         for repeat in range(repeats):
-            folder = Path(top) / f'run{repeat}'
-            meter = fly_ours(paths['blocks'], folder, domain)
+            meter, folder = heard(lambda attempt: _flown(
+                paths['blocks'], Path(top) / f'run{repeat}.{attempt}', domain))
             messages.write_text(json.dumps(sent(folder, roster)), encoding='utf-8')
             ours.append(meter.result())
             bare.append(fly_bare(paths['blocks'], meter.steps[-1], roster, messages,
                                  domain).result())
             if before is not None:
-                others.append(fly_before(before, paths['before'], folder / 'before',
-                                         domain).result())
+                others.append(heard(lambda attempt: fly_before(
+                    before, paths['before'], folder / f'before{attempt}', domain).result()))
             for processes, flown in fewer.items():
                 flown.append(heard(lambda attempt: fly_ours(
                     paths[processes], folder / f'{processes}{attempt}', domain).result()))
@@ -255,8 +264,17 @@ def measure(repeats: int = 5, name: str = SCENARIO, before: Checkout | None = No
             'step_s': base.run.step_s}
 
 
-def heard(fly: Callable[[int], dict]) -> dict:
-    """Return what `fly(attempt)` returns, again where the observer found the nodes too late."""
+def _flown(scenario: Path, folder: Path, domain: int) -> tuple[Meter, Path]:
+    return fly_ours(scenario, folder, domain), folder
+
+
+def heard(fly: Callable[[int], Any]) -> Any:
+    """
+    Return what `fly(attempt)` returns, again where the flight could not be measured.
+
+    The observer may find the nodes too late; and of some hundred processes one hangs in Fast DDS
+    when it leaves (see `lifeline.leaving`) and is ended with code 1.
+    """
     for attempt in range(ATTEMPTS - 1):
         try:
             return fly(attempt)

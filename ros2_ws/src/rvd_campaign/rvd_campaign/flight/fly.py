@@ -233,6 +233,9 @@ class Flight:
                 self._wait_for_the_nodes()
                 return None
             failures = self._supervisor.failures()
+            if failures and self._is_final(self._outcome()[0]):     # one that could not leave
+                self._wait_for_the_nodes()
+                return None
             if failures:                        # code 1 is a traceback, in the node's log
                 self._fault = 1 in failures.values()
                 return self._why(failures)

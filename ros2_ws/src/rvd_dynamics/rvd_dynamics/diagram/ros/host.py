@@ -36,6 +36,8 @@ from rvd_interfaces.msg import RunEvent
 ASK_S = 0.1                     # [s] wall time between two looks whether to stop
 BARRIER_PERIOD_S = 0.05         # [s] wall time between two looks at the endpoints
 DIAGNOSTICS_PERIOD_S = 1.0      # [s] wall time
+GATHER_S = 0.02                 # [s] wall time for which messages are kept that only watchers read
+HANDFUL = 64                    # [messages] of them that go out at once
 MOMENT_S = 0.3                  # [s] wall time in which local readers get what was written last
 RECORDER_S = 5.0                # [s] wall time that a closing process gives the recorder
 SLICE_S = 0.05                  # [s] wall time of firing before the executor is looked at again
@@ -64,6 +66,8 @@ class Host:
         self._error: tuple[RunNode, Exception] | None = None
         self._takers: dict[str, list[Callable]] = defaultdict(list)     # (step, what passes)
         self._keepers: dict[str, list[Callable]] = defaultdict(list)    # (step, bytes)
+        self._unhurried: frozenset[str] = frozenset()
+        self._later: list[tuple[Publisher, Any]] = []   # of those topics
         self._diagnosed = time.monotonic()
         self._ended = False
         self._busy = False
@@ -101,17 +105,37 @@ class Host:
         """
         Publish a message, serialised or not, and hand it to whoever reads it in this process.
 
-        `by_hand` is what its readers in this process get; the message itself unless given.
+        `by_hand` is what its readers in this process get; the message itself unless given. In lock
+        step, what no firing in another process waits for goes out a little later, many at a time:
+        the ring would stand still meanwhile, and each reader be woken for each.
         """
         keepers = self._keepers.get(topic)
         if keepers and not isinstance(message, bytes):
             message = serialize_message(message)
-        publisher.publish(message)
+        if topic in self._unhurried:
+            self._later.append((publisher, message))
+        else:
+            publisher.publish(message)
         if keepers:
             for keeper in keepers:
                 keeper(step, message)
         for taker in self._takers.get(topic, ()):
             taker(step, message if by_hand is None else by_hand)
+
+    def _gather(self) -> None:
+        """From now on, keep for a moment what only watchers read."""
+        hurried = {topic for name in self.roster.names
+                   if name not in self.nodes and name not in self.roster.watchers
+                   for topic in self.roster.reads(name)}
+        self._unhurried = frozenset(topic for name in self.nodes
+                                    for topic in self.roster.emits(name)) - hurried
+        if self._unhurried:
+            self._lead.create_timer(GATHER_S, self._lead.guarded(self._publish_the_rest))
+
+    def _publish_the_rest(self) -> None:
+        later, self._later = self._later, []
+        for publisher, message in later:
+            publisher.publish(message)
 
     # -- start ------------------------------------------------------------------------------
 
@@ -161,6 +185,8 @@ class Host:
                          String(data=identity.ready_words(name, self.run_id)))
         for node in self.nodes.values():
             node.guarded(node.on_ready)()
+        if self.scenario.run.pace == 'lockstep' and len(self.firing) > 1:
+            self._gather()                  # its timer would cost a single block more than it saves
 
     # -- while it runs ----------------------------------------------------------------------
 
@@ -200,6 +226,8 @@ class Host:
                 if node.may_fire():
                     node.fire()
                     moved = True
+            if len(self._later) >= HANDFUL:
+                self._publish_the_rest()
             if moved and len(self.firing) > 1 and time.monotonic() > until:
                 break
         self._busy = moved and not self._ended
@@ -270,6 +298,7 @@ class Host:
         stay a moment. (Waiting for acknowledgements takes a heartbeat of 3 s, always.)
         """
         if self.nodes and self._lead.context.ok():      # else told to stop: the graph is gone
+            self._publish_the_rest()
             if RECORDER not in self.roster.names:
                 time.sleep(MOMENT_S)
             elif RECORDER not in self.nodes:
@@ -306,7 +335,7 @@ def _init(argv: list[str]) -> None:
         said = re.sub(r', at \S+:\d+$', '', ' '.join(str(error).split()))
         raise BadInput(f'ROS does not start: {said}') from None
     domain = rclpy.get_default_context().get_domain_id()
-    if domain > identity.LARGEST_DOMAIN:                     # DDS would end the process without a word of ours
+    if domain > identity.LARGEST_DOMAIN:        # DDS would end the process without a word of ours
         raise BadInput(f'ROS_DOMAIN_ID={domain} must be from 0 to {identity.LARGEST_DOMAIN}')
 
 
