@@ -125,6 +125,7 @@ def test_a_bad_file_is_refused_in_one_line(text, words, file):
 
 
 OVERRIDES = {
+    'a number that YAML reads otherwise': ('timeout_s:=1:30', '1:30 would be read as 90'),
     'no value': ('seed', "-p must be followed by NAME:=VALUE, got 'seed'"),
     'not yaml': ('seed:=[1', '-p seed:=[1: the value is not valid YAML'),
     'unknown key': ('sead:=1', '/**: unknown key sead; did you mean seed?'),

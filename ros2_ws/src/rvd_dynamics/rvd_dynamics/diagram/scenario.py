@@ -275,6 +275,11 @@ for _tag in ('int', 'float'):
     _Loader.add_constructor(f'tag:yaml.org,2002:{_tag}', _Loader.construct_number)
 
 
+def value_of(text: str) -> Any:
+    """Return the value that a text is as YAML, read as in a scenario file."""
+    return yaml.load(text, Loader=_Loader)  # noqa: S506 - a SafeLoader
+
+
 def load(path: Path) -> Scenario:
     """
     Read and check a scenario file.

@@ -11,8 +11,6 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-import yaml
-
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram import scenario as scenarios
 from rvd_dynamics.diagram.identity import own_run
@@ -120,7 +118,9 @@ def parsed(argv: list[str]) -> Arguments:
                 raise BadInput(f'{flag} must be followed by NAME:=VALUE, got {word!r}')
             node, _, key = key.rpartition(':')
             try:
-                given = yaml.safe_load(value)
+                given = scenarios.value_of(value)
+            except BadInput as error:
+                raise BadInput(f'{flag} {word}: {error}') from None
             except scenarios.NOT_YAML:
                 raise BadInput(f'{flag} {word}: the value is not valid YAML') from None
             if key in OF_THE_PROCESS:

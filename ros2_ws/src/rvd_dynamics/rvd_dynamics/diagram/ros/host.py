@@ -106,8 +106,9 @@ class Host:
         Publish a message, serialised or not, and hand it to whoever reads it in this process.
 
         `by_hand` is what its readers in this process get; the message itself unless given. In lock
-        step, what no firing in another process waits for goes out a little later, many at a time:
-        the ring would stand still meanwhile, and each reader be woken for each.
+        step, a process of several blocks sends what no firing in another process waits for a
+        little later, many at a time: the ring would stand still meanwhile, and each reader be
+        woken for each.
         """
         keepers = self._keepers.get(topic)
         if keepers and not isinstance(message, bytes):
