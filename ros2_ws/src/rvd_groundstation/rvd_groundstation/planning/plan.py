@@ -66,3 +66,12 @@ class Plan:
 
     def _place(self, time_s: ArrayLike) -> NDArray[np.float64]:
         return 2.0*(np.asarray(time_s, dtype=float) - self.begin_s)/self.duration_s - 1.0
+
+
+def straight(initial: ArrayLike, final: ArrayLike, controls: ArrayLike, begin_s: float,
+             end_s: float, count: int) -> Plan:
+    """Return a straight line between two states (n,) under constant controls (m,): a guess."""
+    first, last = np.asarray(initial, dtype=float), np.asarray(final, dtype=float)
+    part = 0.5*(np.concatenate([gauss(count).points, [1.0]]) + 1.0)[:, np.newaxis]
+    return Plan(begin_s, end_s, first + part*(last - first),
+                np.tile(np.asarray(controls, dtype=float), (count, 1)))

@@ -76,8 +76,8 @@ class Relaxation:
             ubx=np.concatenate([high_x, np.full(count, np.inf)]),
             lbg=np.concatenate([low_g, low_more]), ubg=np.concatenate([high_g, high_more]))
         if not solver.stats()['success']:
-            raise BadInput('plan infeasible: no motion joins start and end, even with every bound '
-                           f'let go (ipopt: {solver.stats()["return_status"]})')
+            raise BadInput('no plan found, nor what is in its way: with every bound let go ipopt '
+                           f'ended with {solver.stats()["return_status"]}')
         found = np.asarray(made['x']).ravel()
         slacks = found[len(start):]
         if slacks.max() > MET:

@@ -41,6 +41,7 @@ class Programme(NamedTuple):
     given: Any                          # t0, parameters
     cost: Any
     constraints: Any                    # defects, quadrature, paths by node, ends
+    slopes: Any                         # of the constraints, by the unknowns
     guessed: Any                        # a mild preference, for the search of a feasible point
 
 
@@ -215,46 +216,85 @@ class Solver:
         t0, q, tf = given[0], given[1:], z[-1]
         states = ca.reshape(z[:n*(k + 2)], n, k + 2)                    # scaled, a column a point
         controls = ca.reshape(z[n*(k + 2):-1], m, k)
-        half = 0.5*(tf - t0)
-        x_scale, u_scale = ca.DM(self._x_scale), ca.DM(self._u_scale)
-        slopes, costs, paths = [], [], []
+        at_node, by_node = self._of_a_node()
+        slopes, costs, paths, blocks = [], [], [], []
         for i, node in enumerate(self._gauss.nodes):
-            rate, running, path = self.functions(
-                t0 + half*(node + 1.0), states[:, i + 1]*x_scale, controls[:, i]*u_scale, q)
-            slopes.append(half*rate/x_scale)
-            costs.append(running)
+            args = node, states[:, i + 1], controls[:, i], t0, tf, q
+            slope, cost, path = at_node(*args)
+            slopes.append(slope)
+            costs.append(cost)
             paths.append(path)
+            blocks.append(by_node(*args))
         weights = ca.DM(self._gauss.weights)
         slope = ca.horzcat(*slopes)
         defects = ca.mtimes(states[:, :k + 1], ca.DM(self._gauss.derivative).T) - slope
         end = states[:, -1] - states[:, 0] - ca.mtimes(slope, weights)
-        cost = half*ca.dot(weights, ca.vertcat(*costs))
-        first, last = (ca.vertsplit(states[:, i]*x_scale) for i in (0, k + 1))
-        both = first, last, t0, tf, ca.vertsplit(q)
-        if p.end:
-            cost += p.end(*both)
-        return Programme(z, given, cost, ca.vertcat(
-            ca.vec(defects), end, *paths, *(e.of(*both)/e.scale for e in p.ends)),
-            ca.sumsqr(controls)/k)
+        scale = ca.DM(self._x_scale)
+        both = *(ca.vertsplit(states[:, i]*scale) for i in (0, k + 1)), t0, tf, ca.vertsplit(q)
+        ends = ca.vertcat(*(e.of(*both)/e.scale for e in p.ends))
+        cost = ca.dot(weights, ca.vertcat(*costs)) + (p.end(*both) if p.end else 0.0)
+        return Programme(
+            z, given, cost, ca.vertcat(ca.vec(defects), end, *paths, ends),
+            ca.vertcat(self._slopes(blocks), ca.jacobian(ends, z)), ca.sumsqr(controls)/k)
+
+    def _of_a_node(self) -> tuple:
+        """Return casadi functions of one node: slope of the states, cost, paths; Jacobian."""
+        import casadi as ca
+        node, t0, tf = (ca.SX.sym(name) for name in ('node', 't0', 'tf'))
+        x, u = ca.SX.sym('x', self._n), ca.SX.sym('u', self._m)
+        q = ca.SX.sym('q', len(self.problem.parameters))
+        half, scale = 0.5*(tf - t0), ca.DM(self._x_scale)
+        rate, running, path = self.functions(
+            t0 + half*(node + 1.0), x*scale, u*ca.DM(self._u_scale), q)
+        slope, args = half*rate/scale, [node, x, u, t0, tf, q]
+        return (ca.Function('node', args, [slope, half*running, path]),
+                ca.Function('slopes', args, [ca.jacobian(ca.vertcat(slope, path),
+                                                         ca.vertcat(x, u, tf))]))
+
+    def _slopes(self, blocks: list) -> Any:
+        """
+        Return the Jacobian of defects, quadrature and paths, put together of those of the nodes.
+
+        casadi's own search for its structure takes seconds: the defects are dense in the nodes.
+        """
+        import casadi as ca
+        n, m, k, g = self._n, self._m, self.count, self._gauss
+        x, u = slice(0, n), slice(n, n + m)
+        rates, paths = [b[:n, :] for b in blocks], [b[n:, :] for b in blocks]
+        eye, none = ca.DM.eye(n), ca.DM(n*k, n)
+        rest = paths[0].shape[0]*k
+        spread = ca.DM(np.kron(g.derivative, np.eye(n)))
+        return ca.vertcat(
+            ca.horzcat(ca.sparsify(spread) - ca.horzcat(none, ca.diagcat(*(r[:, x] for r in rates))),
+                       none, -ca.diagcat(*(r[:, u] for r in rates)),
+                       -ca.vertcat(*(r[:, -1] for r in rates))),
+            ca.horzcat(-eye, *(-w*r[:, x] for w, r in zip(g.weights, rates)), eye,
+                       *(-w*r[:, u] for w, r in zip(g.weights, rates)),
+                       -sum(w*r[:, -1] for w, r in zip(g.weights, rates))),
+            ca.horzcat(ca.DM(rest, n), ca.diagcat(*(b[:, x] for b in paths)), ca.DM(rest, n),
+                       ca.diagcat(*(b[:, u] for b in paths)), ca.vertcat(*(b[:, -1] for b in paths))))
 
     def _built(self, name: str, programme: Programme, more: dict | None = None,
                of: dict | None = None) -> Any:
         import casadi as ca
-        # bound_relax_factor 0: bounds are bounds. Hessian and Jacobian change with every step.
+        given = {'x': programme.unknowns, 'p': programme.given}
+        slopes = ca.Function('nlp_jac_g', list(given.values()),
+                             [programme.constraints, programme.slopes], list(given),
+                             ['g', 'jac_g_x'])
+        # bound_relax_factor 0: bounds are bounds.
         options = {'ipopt.print_level': 0, 'ipopt.sb': 'yes', 'print_time': False,
                    'record_time': True, 'ipopt.tol': TOLERANCE, 'ipopt.max_iter': MOST_ITERATIONS,
                    'ipopt.bound_relax_factor': 0.0, 'ipopt.constr_viol_tol': 1e-10,
                    'ipopt.nlp_scaling_method': 'none', 'ipopt.mu_strategy': 'adaptive',
-                   'error_on_fail': False, 'show_eval_warnings': False,
+                   'error_on_fail': False, 'show_eval_warnings': False, 'jac_g': slopes,
                    **(of or {}), **{f'ipopt.{key}': v for key, v in (more or {}).items()}}
         return ca.nlpsol(name, 'ipopt', {
-            'x': programme.unknowns, 'p': programme.given, 'f': programme.cost,
-            'g': programme.constraints}, options)
+            **given, 'f': programme.cost, 'g': programme.constraints}, options)
 
     @cached_property
     def _warm(self) -> Any:
         """The same programme for a start from a plan that is nearly right."""
-        derived = {'grad_f': 'nlp_grad_f', 'jac_g': 'nlp_jac_g', 'hess_lag': 'nlp_hess_l'}
+        derived = {'grad_f': 'nlp_grad_f', 'hess_lag': 'nlp_hess_l'}
         return self._built('warm', self._programme, {**WARM, 'mu_strategy': 'monotone'}, {
             option: self._cold.get_function(name) for option, name in derived.items()})
 
