@@ -3,8 +3,9 @@
 from setuptools import find_packages, setup
 
 NAME = 'rvd_missions'
-MISSIONS = ['lunar_approach', 'attitude_hold', 'obstacle_field', 'elliptic_rendezvous']
-BLOCKS = ['attitude_dynamics', 'attitude_sensors', 'attitude_controller']
+MISSIONS = ['lunar_approach', 'attitude_hold', 'obstacle_field', 'elliptic_rendezvous', 'tether']
+BLOCKS = ['attitude_dynamics', 'attitude_sensors', 'attitude_controller',
+          'gripper_dynamics', 'gripper_sensors', 'gripper_tracker']
 
 setup(
     name=NAME,

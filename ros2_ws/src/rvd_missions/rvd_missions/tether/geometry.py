@@ -95,3 +95,30 @@ def goal(orbit: OrbitParams, approach: ApproachParams, time_s: float) -> NDArray
     """Return the planned end (12,) at a time: at rest before the target, on its V-bar at t = 0."""
     place, rate = baseline(orbit, approach.baseline_m, time_s)
     return np.array([*(place - [approach.final_range_m, 0.0, 0.0]), *rate, *np.zeros(6)])
+
+
+def product(p: ArrayLike, q: ArrayLike) -> NDArray[np.float64]:
+    """Return the quaternion (..., 4) that turns by q first, then by p."""
+    px, py, pz, pw = np.moveaxis(np.asarray(p, dtype=float), -1, 0)
+    qx, qy, qz, qw = np.moveaxis(np.asarray(q, dtype=float), -1, 0)
+    return np.stack([pw*qx + px*qw + py*qz - pz*qy, pw*qy - px*qz + py*qw + pz*qx,
+                     pw*qz + px*qy - py*qx + pz*qw, pw*qw - px*qx - py*qy - pz*qz], axis=-1)
+
+
+def to_inertial(q: ArrayLike, vector: ArrayLike) -> NDArray[np.float64]:
+    """Return body vectors (..., 3) in I, for quaternions (..., 4)."""
+    return _turned(q, vector, 1.0)
+
+
+def to_body(q: ArrayLike, vector: ArrayLike) -> NDArray[np.float64]:
+    """Return vectors (..., 3) of I in the body, for quaternions (..., 4)."""
+    return _turned(q, vector, -1.0)
+
+
+def _turned(q: ArrayLike, vector: ArrayLike, sense: float) -> NDArray[np.float64]:
+    """Return v + 2 w (u x v) + 2 u x (u x v), u the quaternion's vector times `sense`."""
+    x, y, z, w = np.moveaxis(np.asarray(q, dtype=float), -1, 0)
+    x, y, z = sense*x, sense*y, sense*z
+    a, b, c = np.moveaxis(np.asarray(vector, dtype=float), -1, 0)
+    i, j, k = 2.0*(y*c - z*b), 2.0*(z*a - x*c), 2.0*(x*b - y*a)
+    return np.stack([a + w*i + y*k - z*j, b + w*j + z*i - x*k, c + w*k + x*j - y*i], axis=-1)

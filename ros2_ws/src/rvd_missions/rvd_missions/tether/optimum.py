@@ -8,14 +8,17 @@ Cost    int (|F / F_max|^2 + |tau / tau_max|^2 + w (T / T_max)^2) dt, each axis 
 Source  Hu et al. (docs/missions/tether.md), equations (5) to (23) in the forms derived there.
 """
 
-from functools import lru_cache
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
 from typing import Any
 
 import numpy as np
 
 from rvd_dynamics.diagram.params import param, settings
+from rvd_dynamics.diagram.run import Run
 from rvd_groundstation.planning.plan import Plan, straight
 from rvd_groundstation.planning.problem import End, Path, Problem, Quantity
+from rvd_groundstation.planning.report import PlanReport, report
 from rvd_groundstation.planning.transcription import FREE, Solver
 from rvd_missions.tether.geometry import goal
 from rvd_missions.tether.settings import ApproachParams, GripperParams, OrbitParams, TetherParams
@@ -171,3 +174,31 @@ def plan(orbit: OrbitParams, gripper: GripperParams, tether: TetherParams,
                      planner.nodes)
     return solver(orbit, gripper, tether, approach, planner).solve(
         start, ENDS, approach.duration_s, guess=guess)
+
+
+@dataclass(frozen=True)
+class Preparation:
+    """The plan of a scenario, made when it is first asked for."""
+
+    orbit: OrbitParams
+    gripper: GripperParams
+    tether: TetherParams
+    approach: ApproachParams
+    planner: PlannerParams
+
+    @property
+    def plan(self) -> Plan:
+        """The plan; BadInput if there is none."""
+        return plan(self.orbit, self.gripper, self.tether, self.approach, self.planner)
+
+    @cached_property
+    def report(self) -> PlanReport:
+        """What is to be said of the plan."""
+        made = solver(self.orbit, self.gripper, self.tether, self.approach, self.planner)
+        return report(made, self.plan)
+
+    def last_step(self, run: Run) -> int:
+        """Return the first step at or after the end of the approach; a free one is planned."""
+        shortest, longest = self.approach.duration_s
+        end_s = longest if shortest == longest else self.plan.end_s
+        return min(run.last_step, int(np.ceil(end_s/run.step_s - 1e-9)))

@@ -13,9 +13,11 @@ from numpy.typing import NDArray
 
 from rvd_dynamics.constants import RADIUS_EARTH
 from rvd_dynamics.diagram.params import param, require, settings
+from rvd_dynamics.diagram.run import Run
 from rvd_dynamics.motion.kepler import EllipseParams
 
 GEO_M = 42_164e3                        # [m] orbit radius [A]
+LONGEST_STEP_S = 0.1
 
 
 @settings
@@ -56,6 +58,8 @@ class TetherParams:
     least_n: float = param(
         0.02, 'Least tension that is commanded, above zero so that the tether never goes slack [N].')
     most_n: float = param(10.0, 'Greatest tension that is commanded [N].', above=0.0)
+    abort_n: float = param(
+        2.25, 'Tension of an ABORT, which brakes a release of 1 m/s in 16 s [N].', above=0.0)
     modulus_pa: float = param(130e9, 'Modulus of elasticity [Pa].', above=0.0)
     radius_m: float = param(0.5e-3, 'Radius of the tether [m].', above=0.0)
 
@@ -64,6 +68,8 @@ class TetherParams:
                 self.least_n)
         require(self.least_n < self.most_n, 'least_n', f'be below most_n, {self.most_n:g}',
                 self.least_n)
+        require(self.least_n <= self.abort_n <= self.most_n, 'abort_n', 'be between least_n and '
+                f'most_n, {self.least_n:g} and {self.most_n:g}', self.abort_n)
 
     @property
     def stiffness_n(self) -> float:
@@ -124,9 +130,29 @@ class ApproachParams:
                          *self.attitude_rad, *self.rate_rad_s])
 
 
-def checked(approach: ApproachParams) -> None:
-    """Refuse a start at which the camera does not see the target."""
+@settings
+class ArrivalParams:
+    """What counts as arrived, and when a gripper is lost."""
+
+    range_tolerance_m: float = param(
+        0.1, 'Greatest error of the final distance to the target [m].', above=0.0)
+    cross_tolerance_m: float = param(
+        0.05, 'Greatest offset from the planned place across the line of sight [m].', above=0.0)
+    attitude_tolerance_rad: float = param(
+        0.02, 'Greatest error of roll, pitch and yaw at the end [rad].', above=0.0)
+    collision_m: float = param(
+        1.0, 'Distance to the target within which the gripper collides with it [m].', above=0.0)
+    lost_factor: float = param(
+        2.0, 'Multiple of the baseline at which the gripper counts as lost.', above=1.0)
+
+
+def checked(run: Run, approach: ApproachParams) -> None:
+    """Refuse a start at which the camera does not see the target, and too coarse a step."""
     _, pitch, yaw = approach.attitude_rad
     off = float(np.arccos(np.cos(pitch)*np.cos(yaw)))
     require(off <= approach.view_rad, 'approach.attitude_rad', 'have the target in the field of '
             f'view at the start, {approach.view_rad:g} rad from the boresight', f'{off:.4g} rad')
+    require(run.step_s <= LONGEST_STEP_S, 'step_s', f'be at most {LONGEST_STEP_S:g}: the gripper '
+            'swings at up to 1.1 rad/s', run.step_s)
+    require(run.timeout_s >= approach.duration_s[1], 'timeout_s', 'be at least the approach takes, '
+            f'{approach.duration_s[1]:g} s', run.timeout_s)

@@ -1,0 +1,102 @@
+"""
+The tracker on board: follows the plan by bearing, paid-out length and attitude alone.
+
+Law     y = (ls, alpha0, beta0, roll, pitch, yaw), e = y - y*, e' a filtered difference:
+            T   = T*                                    the tension is fed forward
+            F_l = F_l* - m (wl^2 e_l + 2 wl e_l')
+            F_a = F_a* + m l0* (wa^2 e_a + 2 wa e_a')   a lateral offset is -l0* e_a
+            F_b = F_b* + m l0* (wa^2 e_b + 2 wa e_b')
+            tau = tau* - I (wt^2 e + 2 wt e')
+        within the limits. Only the planned range l0* is used: nothing measures it.
+Source  assumed: section 2.3 of Hu et al. and its gains are lost (docs/missions/tether.md).
+"""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rvd_dynamics.commands.codes import KIND_ABORT, KIND_THRUST
+from rvd_dynamics.diagram.control import Control
+from rvd_dynamics.diagram.params import param, settings
+from rvd_dynamics.diagram.run import Run
+from rvd_missions.tether import geometry
+from rvd_missions.tether.commands import TetherForm
+from rvd_missions.tether.inputs import InputParams, reference
+from rvd_missions.tether.optimum import Preparation
+from rvd_missions.tether.signals import TRACKING, WANTED
+
+
+@settings
+class TrackerParams:
+    """Gains of the tracker [A]."""
+
+    feedback: bool = param(
+        True, 'Whether the measurements are fed back; without it the plan is flown open loop.')
+    length_rad_s: float = param(0.35, 'Natural frequency wl along the tether [rad/s].', low=0.0)
+    bearing_rad_s: float = param(0.25, 'Natural frequency wa across the sight [rad/s].', low=0.0)
+    attitude_rad_s: float = param(0.8, 'Natural frequency wt of the attitude [rad/s].', low=0.0)
+    filter_s: float = param(0.3, 'Time constant of the filtered differences [s].', above=0.0)
+    knows_stretch: bool = param(
+        False, 'Whether the planned length is that of the unstretched tether, which the encoder '
+        'reads; otherwise the reading is taken for the distance to the platform.')
+    aborts_blind: bool = param(
+        True, 'Whether losing the target out of the field of view asks for an ABORT.')
+
+
+class GripperTracker:
+    """Fires on each measurement."""
+
+    def __init__(self, settings: TrackerParams, inputs: InputParams, preparation: Preparation,
+                 form: TetherForm, run: Run, batch: tuple) -> None:
+        self._settings, self._form = settings, form
+        p = preparation
+        times = np.arange(p.last_step(run) + 1)*run.step_s
+        self._planned = reference(p.plan, inputs.spline, times, p.orbit, p.gripper, p.tether,
+                                  p.approach, settings.knows_stretch)
+        m, inertia = p.gripper.mass_kg, np.array(p.gripper.inertia_kg_m2)
+        wl, wa, wt = settings.length_rad_s, settings.bearing_rad_s, settings.attitude_rad_s
+        # along, two across (times the range of the step), three about the body's axes
+        self._stiffness = np.array([-m*wl*wl, m*wa*wa, m*wa*wa, *-inertia*wt*wt])
+        self._damping = 2.0*np.array([-m*wl, m*wa, m*wa, *-inertia*wt])
+        self._blend = run.step_s/(settings.filter_s + run.step_s)
+        self._step_s = run.step_s
+        self._error: NDArray | None = None
+        self._slope = np.zeros((*batch, 6))
+        self._received = np.ones(batch, dtype=bool)
+
+    def step(self, k: int, measurement: Any, control: Control) -> dict[str, Any]:
+        """Return the command of step k, for the guard."""
+        at = min(k, len(self._planned.range_m) - 1)
+        planned, fed = self._planned.seen[at], self._planned.inputs[at]
+        seen = self._seen(measurement)
+        wanted = np.broadcast_to(fed, (*seen.shape[:-1], 7))
+        if self._settings.feedback:
+            wanted = np.concatenate([wanted[..., :1], wanted[..., 1:] + self._feedback(
+                seen - planned, self._planned.range_m[at])], axis=-1)
+        blind = ~measurement.in_view & self._settings.aborts_blind & self._settings.feedback
+        asked = blind | bool(control.abort)
+        return {'wanted': WANTED(command=self._form.quantise(wanted),
+                                 kind=np.where(asked, np.uint8(KIND_ABORT), np.uint8(KIND_THRUST)),
+                                 received=self._received),
+                'tracking': TRACKING(planned=np.broadcast_to(planned, seen.shape), measured=seen,
+                                     feedforward=np.broadcast_to(fed, (*seen.shape[:-1], 7)),
+                                     range=np.broadcast_to(self._planned.range_m[at],
+                                                           seen.shape[:-1]))}
+
+    @staticmethod
+    def _seen(measurement: Any) -> NDArray[np.float64]:
+        """Return (..., 6) length and angles of a measurement."""
+        sight = geometry.line(geometry.to_inertial(measurement.attitude, measurement.bearing))
+        angles = geometry.euler(measurement.attitude)
+        return np.stack([measurement.encoder, sight.alpha, sight.beta,
+                         *np.moveaxis(angles, -1, 0)], axis=-1)
+
+    def _feedback(self, error: NDArray, planned_range: float) -> NDArray[np.float64]:
+        """Return force and torque (..., 6) that answer an error (..., 6)."""
+        if self._error is not None:
+            change = (error - self._error)/self._step_s
+            self._slope = self._slope + self._blend*(change - self._slope)
+        self._error = error
+        scale = np.array([1.0, planned_range, planned_range, 1.0, 1.0, 1.0])
+        return scale*(self._stiffness*error + self._damping*self._slope)
