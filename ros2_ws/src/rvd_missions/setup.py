@@ -5,7 +5,7 @@ from setuptools import find_packages, setup
 NAME = 'rvd_missions'
 MISSIONS = ['lunar_approach', 'attitude_hold', 'obstacle_field', 'elliptic_rendezvous', 'tether']
 BLOCKS = ['attitude_dynamics', 'attitude_sensors', 'attitude_controller',
-          'gripper_dynamics', 'gripper_sensors', 'gripper_tracker']
+          'gripper_dynamics', 'gripper_sensors', 'gripper_tracker', 'mission_control']
 
 setup(
     name=NAME,

@@ -13,6 +13,7 @@ MISSION = Mission(
     name='tether',
     title='A gripper on a tether flies from a platform to 20 m from a target, by an optimal plan.',
     shared=(
+        Shared('leg_params', f'{HERE}.settings:LegParams'),
         Shared('orbit', f'{HERE}.settings:OrbitParams', 'orbit.'),
         Shared('gripper', f'{HERE}.settings:GripperParams', 'gripper.'),
         Shared('tether', f'{HERE}.settings:TetherParams', 'tether.'),
@@ -25,14 +26,17 @@ MISSION = Mission(
         'gripper_dynamics': f'{HERE}.space:DynamicsParams',
         'gripper_sensors': f'{HERE}.space:SensorParams',
         'gripper_tracker': f'{HERE}.onboard:TrackerParams',
+        'link_back': 'rvd_dynamics.link.models:LinkParams',
+        'link_forward': 'rvd_dynamics.link.models:LinkParams',
         'onboard_guard': 'rvd_dynamics.commands.abort:GuardParams',
     },
     parts={
+        'legs': f'{HERE}.settings:legs',
         'form': f'{HERE}.commands:form',
         'preparation': f'{HERE}.optimum:Preparation',
         'checked': f'{HERE}.settings:checked',
     },
-    checked=('checked',),
+    checked=('checked', 'legs'),
     diagram=f'{HERE}.diagram:diagram',
     judge=f'{HERE}.judge:Judge',
 )

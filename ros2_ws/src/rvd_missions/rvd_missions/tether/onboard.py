@@ -17,14 +17,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rvd_dynamics.commands.codes import KIND_ABORT, KIND_THRUST
-from rvd_dynamics.diagram.control import Control
 from rvd_dynamics.diagram.params import param, settings
 from rvd_dynamics.diagram.run import Run
 from rvd_missions.tether import geometry
 from rvd_missions.tether.commands import TetherForm
 from rvd_missions.tether.inputs import InputParams, reference
 from rvd_missions.tether.optimum import Preparation
-from rvd_missions.tether.signals import TRACKING, WANTED
+from rvd_missions.tether.signals import DOWNLINK, TRACKING, WANTED
 
 
 @settings
@@ -45,7 +44,12 @@ class TrackerParams:
 
 
 class GripperTracker:
-    """Fires on each measurement."""
+    """
+    Fires on each measurement.
+
+    It has had the whole plan since before the release; of what comes up the link it takes whether to
+    ABORT.
+    """
 
     def __init__(self, settings: TrackerParams, inputs: InputParams, preparation: Preparation,
                  form: TetherForm, run: Run, batch: tuple) -> None:
@@ -65,24 +69,27 @@ class GripperTracker:
         self._slope = np.zeros((*batch, 6))
         self._received = np.ones(batch, dtype=bool)
 
-    def step(self, k: int, measurement: Any, control: Control) -> dict[str, Any]:
-        """Return the command of step k, for the guard."""
+    def step(self, k: int, measurement: Any, arrival: Any) -> dict[str, Any]:
+        """Return the command of step k, for the guard, and the downlink."""
         at = min(k, len(self._planned.range_m) - 1)
         planned, fed = self._planned.seen[at], self._planned.inputs[at]
         seen = self._seen(measurement)
-        wanted = np.broadcast_to(fed, (*seen.shape[:-1], 7))
+        batch = seen.shape[:-1]
+        planned, fed = (np.broadcast_to(v, (*batch, len(v))) for v in (planned, fed))
+        wanted = fed
         if self._settings.feedback:
-            wanted = np.concatenate([wanted[..., :1], wanted[..., 1:] + self._feedback(
+            wanted = np.concatenate([fed[..., :1], fed[..., 1:] + self._feedback(
                 seen - planned, self._planned.range_m[at])], axis=-1)
+        command = self._form.quantise(wanted)
         blind = ~measurement.in_view & self._settings.aborts_blind & self._settings.feedback
-        asked = blind | bool(control.abort)
-        return {'wanted': WANTED(command=self._form.quantise(wanted),
-                                 kind=np.where(asked, np.uint8(KIND_ABORT), np.uint8(KIND_THRUST)),
-                                 received=self._received),
-                'tracking': TRACKING(planned=np.broadcast_to(planned, seen.shape), measured=seen,
-                                     feedforward=np.broadcast_to(fed, (*seen.shape[:-1], 7)),
-                                     range=np.broadcast_to(self._planned.range_m[at],
-                                                           seen.shape[:-1]))}
+        asked = blind | (arrival.received & (arrival.kind == KIND_ABORT))
+        distance = np.full(batch, self._planned.range_m[at])
+        return {'wanted': WANTED(command=command, received=self._received,
+                                 kind=np.where(asked, np.uint8(KIND_ABORT), np.uint8(KIND_THRUST))),
+                'tracking': TRACKING(planned=planned, measured=seen, feedforward=fed,
+                                     range=distance),
+                'downlink': DOWNLINK(state=np.concatenate(
+                    [seen, planned, distance[..., np.newaxis], command[..., :1]], axis=-1))}
 
     @staticmethod
     def _seen(measurement: Any) -> NDArray[np.float64]:

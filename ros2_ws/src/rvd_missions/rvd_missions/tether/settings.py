@@ -13,11 +13,27 @@ from numpy.typing import NDArray
 
 from rvd_dynamics.constants import RADIUS_EARTH
 from rvd_dynamics.diagram.params import param, require, settings
-from rvd_dynamics.diagram.run import Run
+from rvd_dynamics.diagram.run import LegParams as Delays
+from rvd_dynamics.diagram.run import Legs, Run
 from rvd_dynamics.motion.kepler import EllipseParams
 
 GEO_M = 42_164e3                        # [m] orbit radius [A]
 LONGEST_STEP_S = 0.1
+
+
+@settings
+class LegParams(Delays):
+    """Delays of the two legs of the link."""
+
+    forward_delay_s: float = param(
+        0.0, 'Constant delay of the forward link [s].', low=0.0, high=3600.0)
+    back_delay_s: float = param(
+        0.0, 'Constant delay of the back link [s].', low=0.0, high=3600.0)
+
+
+def legs(leg_params: LegParams, run: Run) -> Legs:
+    """Return the delays of the link in steps, as a part of the mission."""
+    return leg_params.on(run)
 
 
 @settings

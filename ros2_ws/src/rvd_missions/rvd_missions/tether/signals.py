@@ -31,7 +31,18 @@ MEASUREMENT = Signal('/onboard/measurement', (
 TRACKING = Signal('/onboard/tracking', (
     Part('planned', (6,), 'm, rad'), Part('measured', (6,), 'm, rad'),
     Part('feedforward', (7,), 'N, N m'), Part('range', (), 'm')))
-WANTED = Signal('/onboard/command', (
+# What comes down: measured (6), planned (6), planned range, tension that is asked for.
+DOWNLINK, TELEMETRY = (make(Part('state', (14,), 'm, rad, N')) for make in (
+    link.downlink, link.telemetry))
+# What the ground makes of it, in the inertial frame of the start, from the platform. The range is
+# the planned one: nothing measures it.
+SITUATION = Signal('/ground/situation', (
+    Part('gripper', (3,), 'm'), Part('planned', (3,), 'm'), Part('target', (3,), 'm'),
+    Part('attitude', (4,)), Part('error', (6,), 'm, rad'), Part('range', (), 'm'),
+    Part('sight_angle', (), 'rad'), Part('tension', (), 'N')))
+COMMAND = Signal('/ground/command', (_command, link.KIND))
+UPLINK, ARRIVAL = link.uplink(_command), link.arrival(_command)
+WANTED = Signal('/onboard/wanted', (                        # by the tracker, for the guard
     _command, link.KIND, link.RECEIVED, Part('reason', (), 'REASON_*', 'u1', optional=True),
     Part('sequence', (), '', 'i8', optional=True)))
 THRUST = link.thrust(_command)

@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 from rvd_dynamics.diagram.params import param, settings
 from rvd_dynamics.diagram.run import Run
 from rvd_missions.tether import geometry
-from rvd_missions.tether.commands import TetherForm
 from rvd_missions.tether.end import ended
 from rvd_missions.tether.optimum import Preparation
 from rvd_missions.tether.settings import (
