@@ -39,4 +39,6 @@ MISSION = Mission(
     checked=('checked', 'legs'),
     diagram=f'{HERE}.diagram:diagram',
     judge=f'{HERE}.judge:Judge',
+    figures=f'{HERE}.figures:FIGURES',
+    display=f'{HERE}.display:TetherDisplay',
 )
