@@ -166,3 +166,13 @@ def test_figures_of_the_laws_all_have_a_name_and_what_bounds_decide_is_most():
     rows = {row.what: row for row in _laws_rows({**found, 'obstacle_flight_s': 9.0})}
     assert rows[laws.GOALS['obstacle_flight_s'].words].met is False
     assert rows[laws.GOALS['alarm_us'].words].met is None
+
+
+@pytest.mark.slow
+def test_figures_of_the_tether_all_have_a_name():
+    from rvd_campaign.bench import _tether_rows, tether
+    found = tether.measure(quick=True)
+    assert set(found) < set(tether.GOALS) and 0.0 < found['replan_s'] < found['plan_s'] < 60.0
+    rows = {row.what: row for row in _tether_rows({**found, 'one_real_time': 3.0})}
+    assert rows[tether.GOALS['one_real_time'].words].met is False
+    assert rows[tether.GOALS['plan_build_s'].words].met is None

@@ -167,9 +167,23 @@ def _laws(quick: bool, _: Checkout | None) -> dict:
 
 def _laws_rows(r: dict) -> list[Row]:
     from rvd_campaign.bench.laws import GOALS
+    return _goal_rows(r, GOALS)
+
+
+def _tether(quick: bool, _: Checkout | None) -> dict:
+    from rvd_campaign.bench import tether
+    return tether.measure(quick)
+
+
+def _tether_rows(r: dict) -> list[Row]:
+    from rvd_campaign.bench.tether import GOALS
+    return _goal_rows(r, GOALS)
+
+
+def _goal_rows(r: dict, goals: dict) -> list[Row]:
     rows = []
     for name, value in r.items():
-        goal = GOALS[name]
+        goal = goals[name]
         met = None if goal.low is goal.high else (
             value >= goal.low if goal.high is None else value < goal.high)
         target = '' if met is None else (
@@ -193,5 +207,6 @@ PARTS: dict[str, tuple[Measure, Callable[[dict], list[Row]]]] = {
     'graph': (_graph, _graph_rows),
     'flight': (_flight, _flight_rows),
     'laws': (_laws, _laws_rows),
+    'tether': (_tether, _tether_rows),
     'console': (_console, _console_rows),
 }

@@ -29,7 +29,7 @@ TOLERANCE = 1e-10                       # of ipopt, on the scaled programme
 MOST_ITERATIONS = 400
 # A start from a plan that is nearly right: the barrier begins small, and nothing is pushed away
 # from its bound.
-WARM = {'warm_start_init_point': 'yes', 'mu_init': 1e-5, 'warm_start_bound_push': 1e-7,
+WARM = {'warm_start_init_point': 'yes', 'mu_init': 1e-6, 'warm_start_bound_push': 1e-7,
         'warm_start_bound_frac': 1e-7, 'warm_start_slack_bound_push': 1e-7,
         'warm_start_slack_bound_frac': 1e-7, 'warm_start_mult_bound_push': 1e-7}
 

@@ -33,8 +33,8 @@ def inputs(run: Recording) -> 'Canvas':
     panels[0].set(ylabel='tension [N]')
     for axes, first, names, most, label in (
             (panels[1], 1, ('along', 'in plane', 'out of plane'), gripper.max_force_n,
-             'thruster force [N]'),
-            (panels[2], 4, 'xyz', gripper.max_torque_n_m, 'control torque [N m]')):
+             'thrust [N]'),
+            (panels[2], 4, 'xyz', gripper.max_torque_n_m, 'torque [N m]')):
         for i, (name, colour) in enumerate(zip(names, AXES)):
             axes.plot(told.t, fed[:, first + i], color=colour, linestyle=DASHED, linewidth=1.0)
             axes.plot(truth.t, was[:, first + i], color=colour, label=name)

@@ -18,7 +18,7 @@ from rvd_dynamics.diagram.run import Legs, Run
 from rvd_dynamics.motion.kepler import EllipseParams
 
 GEO_M = 42_164e3                        # [m] orbit radius [A]
-LONGEST_STEP_S = 0.1
+LONGEST_STEP_S = 0.5
 
 
 @settings
