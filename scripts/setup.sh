@@ -329,7 +329,7 @@ set_up() {
         [[ -d $venv ]] && why='the last set-up was interrupted'
         [[ -n $before ]] && why='the lock file, ROS, the Python or the location of the project changed'
         [[ -n $again ]] && why='requested'
-        say "setting up in $state ($why): takes a minute or two and 1.3 GB"
+        say "setting up in $state ($why): takes a minute or two and 1.7 GB"
         stage environment "making the environment ($("$python" -V 2>&1))" create_environment
         stage packages "installing $(grep -c '^[A-Za-z]' "$root/requirements.lock") pinned packages" \
             install_packages

@@ -1,4 +1,4 @@
-"""Three planners of a closing: against the specification, each other, yapss and the motion itself."""
+"""Three planners of a closing: against the specification, yapss and the motion itself."""
 
 from dataclasses import replace
 
@@ -67,7 +67,7 @@ def test_the_pseudospectral_optimum_is_that_of_the_specification(nodes):
 
 
 def test_the_optimum_agrees_with_a_double_integrator_where_gravity_is_slight(optimum):
-    """12 |dr|^2 / tf^3 without gravity, which over 80 s changes the effort by parts in a thousand."""
+    """12 |dr|^2 / tf^3 without gravity, which changes the effort by parts in a thousand."""
     _, found = optimum
     effort = (found.cost - 1e-3*(found.duration_s - 80.0)**2)/100.0
     assert effort == pytest.approx(12*np.sum((END - START)**2)/found.duration_s**3, rel=2e-3)
@@ -92,7 +92,7 @@ def test_polynomials_come_within_a_thousandth_of_the_optimum(order):
 
 
 def test_each_plan_flies_to_its_end_about_the_moon(planner):
-    """In two-body motion: the task knows gravity to second order, which here is 1e-9 m/s^2 of it."""
+    """In two-body motion, of which the task knows gravity to second order."""
     found = planner.plan(ENDS)
     flown = two_body(START, lambda t: found.at(np.array(t))[1], found.duration_s)
     assert_allclose(flown[:3], END[:3], atol=3e-5)

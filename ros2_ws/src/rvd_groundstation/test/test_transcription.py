@@ -1,4 +1,4 @@
-"""The pseudospectral transcription against closed forms, and what it says where there is no plan."""
+"""The pseudospectral transcription against closed forms, and what it says where no plan is."""
 
 from dataclasses import replace
 import subprocess
@@ -58,7 +58,7 @@ def test_barycentric_weights_do_not_overflow_at_200_nodes():
 # -- optima with a closed form ---------------------------------------------------------------------
 
 def test_least_effort_from_rest_to_rest(mass_solver):
-    """int F^2 = 12 m^2 d^2 / T^3, F linear in time; the mass is a parameter, nothing is built again."""
+    """int F^2 = 12 m^2 d^2 / T^3, F linear in time; the mass is a parameter of one solver."""
     for mass, d, duration in ((1.0, 1.0, 1.0), (3.0, -2.0, 4.0)):
         plan = mass_solver.solve([0, 0], [d, 0], (duration, duration), parameters=[mass])
         assert_allclose(plan.cost, 12*mass**2*d**2/duration**3, rtol=1e-9)
@@ -84,7 +84,7 @@ def test_brachistochrone_ends_at_the_cycloids_time():
 
 
 def test_bryson_and_denham_ride_along_the_bound():
-    """int u^2/2 = 4/(9 l) for l <= 1/6: a bound that holds over a stretch, as tethers and cones do."""
+    """int u^2/2 = 4/(9 l) for l <= 1/6: a bound that is active over a stretch."""
     problem = replace(
         MASS, states=(Quantity('x', 'm', high=1/9), Quantity('v', 'm/s')),
         running=lambda t, x, u, p: 0.5*u[0]*u[0])
@@ -114,6 +114,22 @@ def test_a_path_constraint_and_an_end_condition_hold(mass_solver):
     assert (plan.states[1:-1, 1]*plan.controls[:, 0]).max() <= 0.9 + 1e-9
     unbound = 12*np.sin(1.0)**2
     assert plan.cost > unbound*1.0001                           # the bound costs something
+
+
+def test_the_jacobian_that_is_put_together_is_the_one_that_casadi_finds():
+    """Derived by hand from the nodes' own; with paths, ends, parameters and a free end time."""
+    problem = replace(
+        MASS, rate=lambda t, x, u, p: [x[1] + ca.sin(t*x[0]), u[0]*x[0]/p[0] + t*u[0]*u[0]],
+        paths=(Path('power', lambda t, x, u, p: x[1]*u[0] + t*t, high=0.9),
+               Path('place', lambda t, x, u, p: ca.cos(x[0]*p[0]))),
+        ends=(End('meet', lambda x0, xf, t0, tf, p: xf[0]*x0[1] - ca.sin(tf*t0)),))
+    made = Solver(problem, 7)._programme
+    both = ca.Function('f', [made.unknowns, made.given], [
+        ca.jacobian(made.constraints, made.unknowns), made.slopes])
+    rng = np.random.default_rng(1)
+    for _ in range(3):
+        found = both(rng.normal(size=made.unknowns.numel()), rng.normal(size=2))
+        assert_allclose(*map(np.asarray, found), atol=1e-11)
 
 
 # -- again and again -------------------------------------------------------------------------------

@@ -26,7 +26,8 @@ ROOT = Path(__file__).resolve().parents[4]
 LOW, HIGH = limits(GRIPPER, TETHER)
 # distance to the target at the end minus the planned 20 m, of each spline: section 4
 OPEN_LOOP_M = {
-    'geo': {'clipped': 1.42, 'unclipped': -0.011, 'pchip': 0.027, 'lagrange': -0.036, 'hold': 0.041},
+    'geo': {'clipped': 1.42, 'unclipped': -0.011, 'pchip': 0.027, 'lagrange': -0.036,
+            'hold': 0.041},
     'leo': {'clipped': 0.467, 'unclipped': -0.011, 'pchip': 0.034, 'lagrange': -0.014,
             'hold': 0.011}}
 
@@ -100,8 +101,8 @@ def test_every_spline_goes_through_the_nodes_and_the_limited_ones_keep_the_limit
     for spline in SPLINES:
         there = joined(made, spline, made.node_s, LOW, HIGH)
         assert_allclose(there, made.controls, atol=1e-9)
-        assert_allclose(joined(made, spline, [-1.0], LOW, HIGH), joined(made, spline, [0.0], LOW, HIGH),
-                        atol=1e-12)
+        assert_allclose(joined(made, spline, [-1.0], LOW, HIGH),
+                        joined(made, spline, [0.0], LOW, HIGH), atol=1e-12)
         between = joined(made, spline, fine, LOW, HIGH)
         kept = (between >= LOW - 1e-9).all() and (between <= HIGH + 1e-9).all()
         assert kept == InputParams(spline=spline).limited
@@ -136,7 +137,8 @@ def test_tracking_and_thrust_agree_with_the_truth():
     truth, told = history[TRUTH.name], history[TRACKING.name]
     state = truth.state[:, 0]
     sight = geometry.line(truth.target[:, 0])
-    assert_allclose(told.measured[:, 0, 1:3], np.stack([sight.alpha, sight.beta], axis=-1), atol=1e-12)
+    assert_allclose(told.measured[:, 0, 1:3], np.stack([sight.alpha, sight.beta], axis=-1),
+                    atol=1e-12)
     assert_allclose(told.measured[:, 0, 3:], geometry.euler(state[:, 6:10]), atol=1e-12)
     length = np.linalg.norm(state[:, :3], axis=-1)
     assert_allclose(told.measured[:, 0, 0]*(1 + truth.tension[:, 0]/TETHER.stiffness_n), length,
@@ -243,7 +245,8 @@ def test_a_gripper_that_turns_away_from_the_target_is_blind_and_aborts():
 def test_a_tether_that_is_let_go_lets_the_gripper_coast_to_the_target():
     state, h = plant_start(), 0.05
     for k in range(2100):
-        state = motion.advance(state, np.zeros((1, 7)), over_step(GEO, k*h, h), CRAFT[np.newaxis], h)
+        state = motion.advance(state, np.zeros((1, 7)), over_step(GEO, k*h, h),
+                               CRAFT[np.newaxis], h)
     place, _ = geometry.baseline(GEO, 101.0, 105.0)
     assert (place - state[0, :3])[0] < 0.0              # past the target
 

@@ -1,4 +1,4 @@
-"""The tethered gripper's motion: spherical against Cartesian, compiled against scipy, and physics."""
+"""The tethered gripper's motion: spherical against Cartesian, compiled against scipy, physics."""
 
 import casadi as ca
 from hypothesis import given, strategies as st

@@ -1,4 +1,4 @@
-"""The optimal approach of the tethered gripper: against the specification, yapss and the true motion."""
+"""The optimal approach of the tethered gripper: against specification, yapss and true motion."""
 
 from dataclasses import replace
 
@@ -183,9 +183,9 @@ def test_an_approach_that_cannot_be_made_names_what_is_in_the_way():
 
 
 @pytest.mark.parametrize('change, words', [
-    (lambda: TetherParams(least_n=0.0), 'least_n must be above 0: the tether could go slack, got 0.0'),
+    (lambda: TetherParams(least_n=0.0), 'least_n must be above 0: .* could go slack, got 0.0'),
     (lambda: TetherParams(least_n=12.0), 'least_n must be below most_n, 10, got 12.0'),
-    (lambda: ApproachParams(baseline_m=20.5), 'tether would be shorter than the geometry, got 20.5'),
+    (lambda: ApproachParams(baseline_m=20.5), 'would be shorter than the geometry, got 20.5'),
     (lambda: GripperParams(inertia_kg_m2=(0.1, 0.1, 3.0)), 'moments of a body'),
 ])
 def test_settings_that_cannot_be_are_refused_in_one_line(change, words):

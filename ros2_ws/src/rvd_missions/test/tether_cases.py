@@ -1,4 +1,4 @@
-"""What the tests of the tethered robot share: orbits, the compiled plant, and the same motion written otherwise."""
+"""What the tests of the tethered robot share: orbits, craft, and the compiled plant's inputs."""
 
 import numpy as np
 

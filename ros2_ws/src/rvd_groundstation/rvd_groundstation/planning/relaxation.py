@@ -1,5 +1,5 @@
 """
-What stands in the way of a plan: the same programme with every bound let go by as little as will do.
+What stands in the way of a plan: the same programme with every bound let go as little as will do.
 
 Each bounded quantity and each constraint has one slack of its own, in units of its scale; the sum
 of all slacks is minimised, which leaves most of them at zero. Defects are not let go.
@@ -102,5 +102,5 @@ def _refusal(bound: Bound, scaled: NDArray, others: list[str]) -> str:
     if what.low == what.high:
         word = 'equal to'
     also = f', with {" and ".join(others)} let go as well' if others else ''
-    return (f'plan infeasible: {what.name} must be {word} {shown(limit):.6g}{unit}, and the nearest '
-            f'motion reaches {shown(needs):.6g}{unit}{also}')
+    return (f'plan infeasible: {what.name} must be {word} {shown(limit):.6g}{unit}, and the '
+            f'nearest motion reaches {shown(needs):.6g}{unit}{also}')

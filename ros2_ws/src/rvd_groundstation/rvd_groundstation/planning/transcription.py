@@ -265,14 +265,16 @@ class Solver:
         rest = paths[0].shape[0]*k
         spread = ca.DM(np.kron(g.derivative, np.eye(n)))
         return ca.vertcat(
-            ca.horzcat(ca.sparsify(spread) - ca.horzcat(none, ca.diagcat(*(r[:, x] for r in rates))),
+            ca.horzcat(ca.sparsify(spread)
+                       - ca.horzcat(none, ca.diagcat(*(r[:, x] for r in rates))),
                        none, -ca.diagcat(*(r[:, u] for r in rates)),
                        -ca.vertcat(*(r[:, -1] for r in rates))),
             ca.horzcat(-eye, *(-w*r[:, x] for w, r in zip(g.weights, rates)), eye,
                        *(-w*r[:, u] for w, r in zip(g.weights, rates)),
                        -sum(w*r[:, -1] for w, r in zip(g.weights, rates))),
             ca.horzcat(ca.DM(rest, n), ca.diagcat(*(b[:, x] for b in paths)), ca.DM(rest, n),
-                       ca.diagcat(*(b[:, u] for b in paths)), ca.vertcat(*(b[:, -1] for b in paths))))
+                       ca.diagcat(*(b[:, u] for b in paths)),
+                       ca.vertcat(*(b[:, -1] for b in paths))))
 
     def _built(self, name: str, programme: Programme, more: dict | None = None,
                of: dict | None = None) -> Any:

@@ -46,8 +46,9 @@ class TetherForm:
         """Return what is wanted, within the limits; neutral where it is not finite."""
         wanted = np.asarray(wanted, dtype=float)
         known = np.isfinite(wanted).all(axis=-1, keepdims=True)
-        kept = np.clip(wanted, *limits(self.gripper, self.tether)) if self.inputs.limited else wanted
-        return np.where(known, kept, self.neutral)
+        if self.inputs.limited:
+            wanted = np.clip(wanted, *limits(self.gripper, self.tether))
+        return np.where(known, wanted, self.neutral)
 
     def legal(self, command: Sequence) -> bool:
         """Say whether a command, as it came over the wire, is one."""

@@ -42,7 +42,7 @@ def compiled(function: Callable) -> Callable:
 
 @compiled
 def rate(x, u, tension, g, s, c, p, out):
-    """Write the time derivative of one state (13,) to `out`, of the orbit's mu/r^3, sine, cosine."""
+    """Write the rate of one state (13,) to `out`, for mu/r^3, sine and cosine of the orbit."""
     rx, ry, rz = x[0], x[1], x[2]
     flat = sqrt(rx*rx + ry*ry)
     l1 = sqrt(rx*rx + ry*ry + rz*rz)
@@ -91,7 +91,7 @@ def step(x, u, tension, orbit, p, h, work):
 
 @compiled
 def advance(states, commands, orbit, craft, h):
-    """Return the states (N, 13) after a step of `h` [s] under commands (N, 7): inextensible tether."""
+    """Return states (N, 13) after a step of `h` [s] under commands (N, 7), the tether stiff."""
     made = states.copy()
     work = np.empty((5, 13))
     for row in range(len(made)):

@@ -47,8 +47,8 @@ class GripperTracker:
     """
     Fires on each measurement.
 
-    It has had the whole plan since before the release; of what comes up the link it takes whether to
-    ABORT.
+    It has had the whole plan since before the release; of what comes up the link it takes
+    whether to ABORT.
     """
 
     def __init__(self, settings: TrackerParams, inputs: InputParams, preparation: Preparation,

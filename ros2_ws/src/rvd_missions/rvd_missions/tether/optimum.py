@@ -1,5 +1,6 @@
 """
-The optimal approach: orbit, attitude and tension planned together by the Gauss pseudospectral method.
+The optimal approach: orbit, attitude and tension planned together, by Gauss pseudospectral
+transcription.
 
 States  r, v of the gripper from the platform, in I; roll, pitch, yaw; body rates: 12.
 Controls tension; thruster force along the tether frame; torque about body axes: 7.

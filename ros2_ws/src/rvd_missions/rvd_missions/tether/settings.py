@@ -63,8 +63,8 @@ class GripperParams:
 
     def __post_init__(self) -> None:
         a, b, c = sorted(self.inertia_kg_m2)
-        require(a + b >= c, 'inertia_kg_m2', 'be moments of a body, none above the sum of the other '
-                'two', list(self.inertia_kg_m2))
+        require(a + b >= c, 'inertia_kg_m2', 'be moments of a body, none above the sum of the '
+                'other two', list(self.inertia_kg_m2))
 
 
 @settings
@@ -72,7 +72,7 @@ class TetherParams:
     """The tether and the tension that its reel may hold."""
 
     least_n: float = param(
-        0.02, 'Least tension that is commanded, above zero so that the tether never goes slack [N].')
+        0.02, 'Least tension that is commanded, above zero so that the tether stays taut [N].')
     most_n: float = param(10.0, 'Greatest tension that is commanded [N].', above=0.0)
     abort_n: float = param(
         2.25, 'Tension of an ABORT, which brakes a release of 1 m/s in 16 s [N].', above=0.0)

@@ -6,7 +6,8 @@ Studies of the open loop: how the inputs are joined, and from which start it end
 
 Table 1 of the paper is lost, and with it the start. `starts` draws starts at random, plans each and
 flies it open loop, to see whether any gives what was published and the default start does not: a
-pitch error of 0.2 rad at the end, a greatest pitch of 0.2322 rad, the greatest sight angle near 52 s.
+pitch error of 0.2 rad at the end, a greatest pitch of 0.2322 rad, the greatest sight angle near
+52 s.
 """
 
 import sys
@@ -55,7 +56,8 @@ def open_loop(orbit: OrbitParams, task: ApproachParams, nodes: int,
     known = np.stack([gravity, np.sin(turn), np.cos(turn)], axis=-1)
     start = task.initial(orbit.at(0.0).rate)
     state = np.tile(np.concatenate([start[:6], geometry.quaternion(start[6:9]), start[9:]]), (n, 1))
-    craft = np.tile([GRIPPER.mass_kg, *GRIPPER.inertia_kg_m2, GRIPPER.attachment_m, 0, 0, 0], (n, 1))
+    craft = np.tile([GRIPPER.mass_kg, *GRIPPER.inertia_kg_m2, GRIPPER.attachment_m, *[0.0]*3],
+                    (n, 1))
     states = np.empty((steps + 1, n, 13))
     states[0] = state
     for k in range(steps):

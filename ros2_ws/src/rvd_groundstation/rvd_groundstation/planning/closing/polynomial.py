@@ -42,7 +42,7 @@ class Polynomial:
     def plan(self, ends: Ends, before: 'PolynomialReference | None' = None
              ) -> 'PolynomialReference':
         """
-        Return the best polynomial between two states, beginning from an earlier one if there is one.
+        Return the best polynomial between two states, beginning from an earlier one if given.
 
         Raises
         ------

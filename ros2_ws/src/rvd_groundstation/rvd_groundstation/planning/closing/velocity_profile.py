@@ -1,5 +1,5 @@
 """
-A closing by a velocity profile: fast, slow down, dock, come to rest; the offset dies away meanwhile.
+A closing by a velocity profile: fast, slow down, dock, come to rest; the offset dies away.
 
 It is no optimum: it is what a person can follow on a display.
 """
