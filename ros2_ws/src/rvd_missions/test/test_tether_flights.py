@@ -16,7 +16,7 @@ from scipy.spatial.transform import Rotation
 from rvd_dynamics.diagram.control import Change
 from rvd_dynamics.diagram.in_process import fly
 from rvd_dynamics.diagram.scenario import load
-from rvd_missions.tether import geometry, motion, optimum
+from rvd_missions.tether import geometry, motion, optimum, studies
 from rvd_missions.tether.commands import TetherForm
 from rvd_missions.tether.inputs import InputParams, joined, limits, SPLINES
 from rvd_missions.tether.signals import NEUTRAL, THRUST, TRACKING, TRUTH
@@ -81,6 +81,7 @@ def test_it_is_the_clipping_of_the_spline_that_makes_the_open_loop_end_long(orbi
     assert clipped > free
 
 
+@pytest.mark.slow
 def test_open_loop_flight_is_that_of_the_specification():
     batch = flown('tether_open_loop')
     found = measures(batch)
@@ -207,6 +208,18 @@ def test_on_a_low_orbit_it_arrives_as_in_the_specification():
     assert found['sight_angle_rad'] == pytest.approx(0.101, abs=2e-3)
     assert measures(flown('tether_open_loop', shared=low))['range_error_m'] == pytest.approx(
         0.467, abs=0.01)
+
+
+@pytest.mark.slow
+def test_the_baseline_can_be_found_afterwards_where_all_else_is_known():
+    batch = flown(runs=range(5), gripper_dynamics={'baseline_sigma_m': 1.0},
+                  record=[TRUTH.name, TRACKING.name])
+    truth, told = batch.history[TRUTH.name], batch.history[TRACKING.name]
+    made = optimum.Preparation(GEO, GRIPPER, TETHER, APPROACH, optimum.PlannerParams())
+    found = studies.estimated_baseline(truth.applied, told.measured, made)
+    exact = (truth.state[0, :, :3] + truth.target[0])[:, 0] - 101.0
+    assert np.abs(exact).max() > 0.5
+    assert_allclose(found, exact, atol=0.05)
 
 
 @pytest.mark.slow

@@ -292,6 +292,19 @@ def test_a_good_reel_holds_the_tension_and_flies_like_tension_itself():
         np.linalg.norm(elastic[0, :3])/(1 + reels[0, 2]/stiff), rel=1e-9)
 
 
+@given(st.floats(0.5, 100.0), st.floats(0.0, 10.0), st.floats(-1e-4, 1e-4), st.floats(-1.0, 1.0))
+def test_the_reel_solves_its_own_equation(length, wanted, stretch, speed):
+    """Backward Euler of ls' = speed + gain (T - wanted), speed' = gain/reset (T - wanted)."""
+    gain, reset, h, stiffness, damping = 0.5, 0.05, 1e-3, 1.021e5, 0.1
+    before, strain = length*(1.0 - stretch), 0.5*stretch
+    found, turned, tension, now = motion.reel_step(
+        length, wanted, before, speed, strain, stiffness, damping, gain, reset, h)
+    assert now == pytest.approx((length - found)/found, abs=1e-12)
+    assert tension == pytest.approx(max(0.0, stiffness*now + damping*(now - strain)/h), abs=1e-6)
+    assert turned == pytest.approx(speed + h*gain/reset*(tension - wanted), abs=1e-9)
+    assert found == pytest.approx(before + h*(turned + gain*(tension - wanted)), abs=1e-9)
+
+
 def test_a_tether_does_not_push():
     found, _, tension, strain = motion.reel_step(10.0, 0.02, 10.5, 0.0, -0.01, 1e5, 0.0, 0.0, 1.0,
                                                  1e-3)

@@ -7,10 +7,12 @@ from numpy.testing import assert_allclose
 import pytest
 
 from rvd_dynamics.bad_input import BadInput
+from rvd_dynamics.diagram.run import Run
 from rvd_groundstation.planning.report import report
 from rvd_missions.tether import geometry, motion, optimum
 from rvd_missions.tether.optimum import PlannerParams
-from rvd_missions.tether.settings import ApproachParams, GripperParams, TetherParams
+from rvd_missions.tether.settings import (
+    ApproachParams, checked, GripperParams, TetherParams)
 from tether_cases import (
     APPROACH, CRAFT, ELLIPSE, GEO, GRIPPER, LEO, over_step, plant_start, TETHER)
 
@@ -194,8 +196,12 @@ def test_settings_that_cannot_be_are_refused_in_one_line(change, words):
     assert '\n' not in str(refused.value)
 
 
-def test_a_target_out_of_view_at_the_start_is_refused():
-    from rvd_missions.tether.settings import checked
-    checked(APPROACH)
+def test_what_does_not_fit_together_is_refused():
+    fine = Run(step_s=0.02, timeout_s=100.0)
+    checked(fine, APPROACH)
     with pytest.raises(BadInput, match='field of view at the start, 0.4 rad .* got 0.5'):
-        checked(replace(APPROACH, attitude_rad=(0.0, 0.0, 0.5)))
+        checked(fine, replace(APPROACH, attitude_rad=(0.0, 0.0, 0.5)))
+    with pytest.raises(BadInput, match='timeout_s must be at least the approach takes, 100 s'):
+        checked(replace(fine, timeout_s=99.0), APPROACH)
+    with pytest.raises(BadInput, match='step_s must be at most 0.5'):
+        checked(replace(fine, step_s=0.7), APPROACH)

@@ -1,13 +1,22 @@
 """
-Studies of the open loop: how the inputs are joined, and from which start it ends as published.
+Studies: how the inputs are joined, from which start the open loop ends as published, and whether
+the baseline could be known better.
 
     ./rvd shell python -m rvd_missions.tether.studies splines
-    ./rvd shell python -m rvd_missions.tether.studies starts 100
+    ./rvd shell python -m rvd_missions.tether.studies starts 120
+    ./rvd shell python -m rvd_missions.tether.studies baseline 40
 
 Table 1 of the paper is lost, and with it the start. `starts` draws starts at random, plans each and
 flies it open loop, to see whether any gives what was published and the default start does not: a
 pitch error of 0.2 rad at the end, a greatest pitch of 0.2322 rad, the greatest sight angle near
 52 s.
+
+`baseline` estimates the error of the baseline by what is measured anyway. Motion across the sight
+is known from the commands, and seen as an angle: their quotient is the range. Of
+(D - r)_y = tan(alpha0) (D - r)_x, with r_y of the nominal motion under the commands that were
+carried out, r_x of the encoder and D = (D0 + d) dhat, the error d is found by linear least squares
+over all samples of a flight, out of plane likewise; with it the errors of the release, and of the
+mass, by what the encoder reads against the nominal motion.
 """
 
 import sys
@@ -24,10 +33,12 @@ from rvd_dynamics.diagram.streams import generator
 from rvd_missions.tether import geometry, optimum
 from rvd_missions.tether.inputs import joined, limits, SPLINES
 from rvd_missions.tether.settings import ApproachParams, GripperParams, OrbitParams, TetherParams
+from rvd_missions.tether.signals import TRACKING, TRUTH
 
 ORBITS = {'GEO': OrbitParams(), 'LEO': OrbitParams(perigee_altitude_m=6878e3 - RADIUS_EARTH)}
 GRIPPER, TETHER = GripperParams(), TetherParams()
 STEP_S = 0.02
+CHANGES = np.array([0.01, 0.01, 0.01, 0.001])   # of release [m/s] and mass, for derivatives
 PUBLISHED = ('published', 0.77, 0.2, 0.2322, 0.22, 52.0)
 
 
@@ -112,10 +123,97 @@ def starts(count: int) -> None:
               f'{PUBLISHED[1 + i]:9.3f}')
 
 
+CASES = {                               # by section: what else is not as in the scenario
+    'noise alone': {},
+    'release off by 0.03 m/s': {'gripper_dynamics': {'velocity_sigma_m_s': 0.03}},
+    'mass off by 0.1 %': {'gripper_dynamics': {'mass_sigma': 0.001}},
+    'mass off by 1 %': {'gripper_dynamics': {'mass_sigma': 0.01}},
+    'released across at 0.3 m/s': {'/**': {'approach.lateral_m_s': [0.3, -0.3]}},
+    '  and mass off by 1 %': {'/**': {'approach.lateral_m_s': [0.3, -0.3]},
+                              'gripper_dynamics': {'mass_sigma': 0.01}},
+}
+NOISE = {'encoder_sigma_m': 0.005, 'bearing_sigma_rad': 5e-4, 'attitude_sigma_rad': 5e-4}
+
+
+def baseline(count: int) -> None:
+    """Print how well the error of the baseline is found after a flight, in each case."""
+    from rvd_dynamics.diagram.in_process import fly
+    from rvd_dynamics.diagram.scenario import parse
+    base = parse('/**: {ros__parameters: {mission: tether, step_s: 0.02, timeout_s: 100.0}}',
+                 'baseline').with_values('gripper_sensors', **NOISE)
+    print('error of the baseline [m], 1 sigma: 1.0 before')
+    for name, changes in CASES.items():
+        scenario = base.with_values('gripper_dynamics', baseline_sigma_m=1.0)
+        for section, values in changes.items():
+            scenario = scenario.with_values(section, **values)
+        history = fly(scenario, range(count), record=[TRUTH.name, TRACKING.name]).history
+        truth, told = history[TRUTH.name], history[TRACKING.name]
+        found = estimated_baseline(truth.applied, told.measured, scenario.part('preparation'))
+        start = truth.state[0, :, :3] + truth.target[0]
+        exact = np.sqrt((start*start).sum(axis=-1)) - ApproachParams().baseline_m
+        print(f'  {name:<28} {np.sqrt(np.mean((found - exact)**2)):6.3f} after', flush=True)
+
+
+def estimated_baseline(applied: NDArray, measured: NDArray,
+                       made: optimum.Preparation) -> NDArray[np.float64]:
+    """
+    Return the error of the baseline (N,) [m] that explains what was seen best.
+
+    Of the commands carried out (steps + 1, N, 7), the first one unknown, and of what the tracker
+    measured (steps + 1, N, 6). Found with it are the errors of the release and of the mass, which
+    the encoder tells by the braking of the tether.
+    """
+    from rvd_missions.tether import motion
+    steps, n = len(applied) - 1, applied.shape[1]
+    orbit, gripper, tether, task = made.orbit, made.gripper, made.tether, made.approach
+    start = task.initial(orbit.at(0.0).rate)
+    # as planned; with another release along x, y and z; with another mass
+    count = 1 + len(CHANGES)
+    state = np.tile(np.concatenate([start[:6], geometry.quaternion(start[6:9]), start[9:]]),
+                    (count, n, 1))
+    craft = np.tile([gripper.mass_kg, *gripper.inertia_kg_m2, gripper.attachment_m, *[0.0]*3],
+                    (count, n, 1))
+    for i in range(3):
+        state[1 + i, :, 3 + i] += CHANGES[i]
+    craft[4, :, 0] *= 1.0 + CHANGES[3]
+    state, craft = state.reshape(-1, 13), craft.reshape(-1, 8)
+    normal, right = np.zeros((n, 5, 5)), np.zeros((n, 5))
+    for k in range(steps + 1):
+        if k > 0:
+            times = STEP_S*(k - 1 + np.array([0.0, 0.5, 1.0]))
+            turn = [orbit.at(t).anomaly - orbit.at(0.0).anomaly for t in times]
+            gravity = [orbit.gravitational_parameter_m3_s2/orbit.at(t).radius**3 for t in times]
+            state = motion.advance(state, np.tile(applied[k], (count, 1)), np.stack(
+                [gravity, np.sin(turn), np.cos(turn)], axis=-1), craft, STEP_S)
+        tension = applied[k, :, 0] if k > 0 else np.full(n, tether.least_n)
+        place = state[:, :3].reshape(count, n, 3)
+        out = np.sqrt((place*place).sum(axis=-1))/(1.0 + tension/tether.stiffness_n)
+        unit = geometry.baseline(orbit, 1.0, k*STEP_S).place
+        length, alpha, beta = (measured[k, :, i] for i in range(3))
+        y, z = place[0, :, 1], place[0, :, 2]
+        true_length = length*(1.0 + tension/tether.stiffness_n)
+        ahead = task.baseline_m*unit[0] - np.sqrt(true_length*true_length - y*y - z*z)
+        up = np.tan(beta)/np.cos(alpha)
+        for known, moved, left, sigma in (
+                (np.zeros(n), out, length - out[0], NOISE['encoder_sigma_m']),
+                (np.tan(alpha)*unit[0] - unit[1], place[..., 1],
+                 task.baseline_m*unit[1] - y - np.tan(alpha)*ahead,
+                 NOISE['bearing_sigma_rad']*ahead),
+                (up*unit[0], place[..., 2], -z - up*ahead, NOISE['bearing_sigma_rad']*ahead)):
+            slopes = (moved[1:] - moved[0]).T/CHANGES
+            row = np.concatenate([known[:, np.newaxis], slopes], axis=1)
+            weight = 1.0/sigma**2*np.ones(n)
+            normal += (weight[:, np.newaxis]*row)[:, :, np.newaxis]*row[:, np.newaxis, :]
+            right += (weight*left)[:, np.newaxis]*row
+    return np.linalg.solve(normal, right[..., np.newaxis])[:, 0, 0]
+
+
 if __name__ == '__main__':
     if sys.argv[1:] == ['splines']:
         splines()
     elif len(sys.argv) == 3 and sys.argv[1] == 'starts' and sys.argv[2].isdigit():
         starts(int(sys.argv[2]))
+    elif len(sys.argv) == 3 and sys.argv[1] == 'baseline' and sys.argv[2].isdigit():
+        baseline(int(sys.argv[2]))
     else:
         sys.exit(__doc__.strip())
