@@ -6,6 +6,7 @@ Numbers of its section 7 come from a prototype with the same law, K = 40 and the
 
 from functools import lru_cache
 from pathlib import Path
+from types import SimpleNamespace
 
 from hypothesis import given, strategies as st
 import numpy as np
@@ -13,12 +14,15 @@ from numpy.testing import assert_allclose, assert_array_equal
 import pytest
 from scipy.spatial.transform import Rotation
 
+from rvd_dynamics.commands.codes import KIND_ABORT, KIND_THRUST
 from rvd_dynamics.diagram.control import Change
 from rvd_dynamics.diagram.in_process import fly
+from rvd_dynamics.diagram.run import Run
 from rvd_dynamics.diagram.scenario import load
 from rvd_missions.tether import geometry, motion, optimum, studies
 from rvd_missions.tether.commands import TetherForm
 from rvd_missions.tether.inputs import InputParams, joined, limits, SPLINES
+from rvd_missions.tether.onboard import GripperTracker, TrackerParams
 from rvd_missions.tether.signals import NEUTRAL, THRUST, TRACKING, TRUTH
 from tether_cases import APPROACH, CRAFT, GEO, GRIPPER, LEO, over_step, plant_start, TETHER
 
@@ -253,6 +257,28 @@ def test_a_gripper_that_turns_away_from_the_target_is_blind_and_aborts():
     assert blind.any() and not blind.all()
     assert_allclose(braking[blind], 16.0/0.05, atol=3)
     assert braking[~blind].max() < 10
+
+
+def test_a_measurement_that_is_missing_is_no_blindness_and_is_bridged():
+    """In real time a value may come too late: it is then NaN, and out of view."""
+    made = optimum.Preparation(GEO, GRIPPER, TETHER, APPROACH, optimum.PlannerParams())
+    run = Run(step_s=0.02, timeout_s=100.0)
+    tracker = GripperTracker(TrackerParams(), InputParams(), made, TetherForm(), run, ())
+    going = SimpleNamespace(received=np.bool_(True), kind=np.uint8(KIND_THRUST))
+    missing = SimpleNamespace(encoder=np.float64(np.nan), bearing=np.full(3, np.nan),
+                              attitude=np.full(4, np.nan), in_view=np.bool_(False))
+
+    def seen(k, in_view=True):                          # 1 cm longer than planned, at 1 m/s
+        return SimpleNamespace(
+            encoder=np.float64(1.01 + 0.02*k), bearing=np.array([1.0, 0.05, -0.05]),
+            in_view=np.bool_(in_view), attitude=geometry.quaternion(APPROACH.attitude_rad))
+    told = [tracker.step(k, missing if k in (2, 3) else seen(k), going)['wanted']
+            for k in range(6)]
+    assert all(t.kind == KIND_THRUST for t in told)
+    forces = np.array([t.command for t in told])
+    assert (forces[:, 1] != 0.0).all()                  # neutral would be no force at all
+    assert_allclose(forces[2:4, 1], forces[1, 1], rtol=0.1)
+    assert tracker.step(6, seen(6, in_view=False), going)['wanted'].kind == KIND_ABORT
 
 
 def test_a_tether_that_is_let_go_lets_the_gripper_coast_to_the_target():

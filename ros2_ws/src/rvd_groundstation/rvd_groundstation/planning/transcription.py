@@ -102,8 +102,9 @@ class Solver:
         lower, upper = self._bounds(initial, final, duration, begin_s, parameters)
         start = self._packed(guess) if guess is not None else self._line(lower, upper, begin_s)
         given = np.array([begin_s, *parameters], dtype=float)
-        if warm and guess is not None and isinstance(guess.multipliers, Multipliers):
-            found = self._run(self._warm, start, lower, upper, given, guess.multipliers)
+        before = guess.multipliers if warm and guess is not None else None
+        if before is not None and len(before.bounds) == len(start):     # of these nodes
+            found = self._run(self._warm, start, lower, upper, given, before)
             if found is not None:
                 return found
         found = self._run(self._cold, start, lower, upper, given)

@@ -65,8 +65,8 @@ class GripperTracker:
         self._damping = 2.0*np.array([-m*wl, m*wa, m*wa, *-inertia*wt])
         self._blend = run.step_s/(settings.filter_s + run.step_s)
         self._step_s = run.step_s
-        self._error: NDArray | None = None
-        self._slope = np.zeros((*batch, 6))
+        self._error, self._slope = np.zeros((2, *batch, 6))
+        self._begun = False
         self._received = np.ones(batch, dtype=bool)
 
     def step(self, k: int, measurement: Any, arrival: Any) -> dict[str, Any]:
@@ -81,7 +81,9 @@ class GripperTracker:
             wanted = np.concatenate([fed[..., :1], fed[..., 1:] + self._feedback(
                 seen - planned, self._planned.range_m[at])], axis=-1)
         command = self._form.quantise(wanted)
-        blind = ~measurement.in_view & self._settings.aborts_blind & self._settings.feedback
+        known = np.isfinite(measurement.encoder)            # in real time one may be missing
+        blind = ~measurement.in_view & known & (
+            self._settings.aborts_blind and self._settings.feedback)
         asked = blind | (arrival.received & (arrival.kind == KIND_ABORT))
         distance = np.full(batch, self._planned.range_m[at])
         return {'wanted': WANTED(command=command, received=self._received,
@@ -100,10 +102,15 @@ class GripperTracker:
                          *np.moveaxis(angles, -1, 0)], axis=-1)
 
     def _feedback(self, error: NDArray, planned_range: float) -> NDArray[np.float64]:
-        """Return force and torque (..., 6) that answer an error (..., 6)."""
-        if self._error is not None:
+        """
+        Return force and torque (..., 6) that answer an error (..., 6).
+
+        Where it is not known the last one holds.
+        """
+        error = np.where(np.isfinite(error), error, self._error)
+        if self._begun:
             change = (error - self._error)/self._step_s
             self._slope = self._slope + self._blend*(change - self._slope)
-        self._error = error
+        self._error, self._begun = error, True
         scale = np.array([1.0, planned_range, planned_range, 1.0, 1.0, 1.0])
         return scale*(self._stiffness*error + self._damping*self._slope)
