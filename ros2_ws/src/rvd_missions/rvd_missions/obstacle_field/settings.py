@@ -12,12 +12,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rvd_dynamics.commands.form import CommandForm
+from rvd_dynamics.commands.form import thrusters
 from rvd_dynamics.diagram.params import param, require, settings
 from rvd_dynamics.diagram.run import Run
 from rvd_dynamics.diagram.scenario import Scenario
 
 STATIC, ORBIT = MOTIONS = ('static', 'orbit')
+ThrusterParams = thrusters(0.01)
 
 
 @settings
@@ -122,11 +123,6 @@ def away(start: Start) -> tuple[int, int, int]:
     """Return signs of x, y, z that lead away from the target, along the longest axis."""
     longest = int(np.argmax(np.abs(start.position_m)))
     return tuple(int(np.sign(v)) if i == longest else 0 for i, v in enumerate(start.position_m))
-
-
-def form(scenario: Scenario) -> CommandForm:
-    """Return the command form of the thrusters."""
-    return scenario.wired(scenario.part('thrust').selected)
 
 
 def law(scenario: Scenario) -> Any:
