@@ -41,9 +41,9 @@ def display(start: StartParams, arrival: ArrivalParams, law: Rrca, form: Command
                Trail('true way', 'truth', Ref(TRUTH, 'position'))),
         labels=(Label(f'{hold:g} m', (0.0, 1.06*hold, 0.0)),
                 Label(f'{10*hold:g} m', (0.0, 10.6*hold, 0.0))),
-        views=(Flat('Near', '+x', '+y', span_m=5.0*hold),
+        views=(Flat('Whole', '+x', '+y', span_m=2.6*start.range_m),
                Flat('Approach', '+x', '+y', span_m=40.0*hold),
-               Flat('Whole', '+x', '+y', span_m=2.6*start.range_m)),
+               Flat('Near', '+x', '+y', span_m=5.0*hold)),
         instruments=Instruments('Line of sight', (
             seen('range', 'm', 'range'), seen('direction', 'deg', 'direction', DEGREES),
             seen('range rate', 'm/s', 'range_rate', digits=4),
