@@ -143,7 +143,8 @@ def failures(results: Any) -> Drawn:
 def comparison(results: Any) -> Drawn:
     """Draw success, delta-v, time, offset and least margin of every condition side by side."""
     names = list(results.tables)
-    figure = canvas(1.0 + 0.27*len(names), left=0.24, wspace=0.12)
+    left = min(0.04 + 0.0068*max(map(len, names)), 0.5)         # room for the longest name
+    figure = canvas(1.0 + 0.27*len(names), left=left, wspace=0.12, top=0.15)
     first, *panels = figure.subplots(1, 1 + len(COMPARED), sharey=True)
     for at, name in enumerate(names):
         row, table = results.rows[name], results.tables[name]
