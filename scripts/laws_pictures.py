@@ -1,8 +1,7 @@
 """
-Make the pictures of docs/laws.md again from two campaigns.
+Make the picture of docs/laws.md again from its campaign.
 
-    ./rvd campaign laws --out runs/laws && ./rvd campaign laws_published --out runs/published
-    ./rvd shell python scripts/laws_pictures.py runs/laws runs/published
+    ./rvd campaign laws --out runs/laws && ./rvd shell python scripts/laws_pictures.py runs/laws
 """
 
 import sys
@@ -15,8 +14,7 @@ from rvd_missions.lunar_approach.campaign_figures import comparison
 IMAGES = Path(__file__).resolve().parents[1] / 'docs' / 'images'
 
 if __name__ == '__main__':
-    if len(sys.argv) != 3:
+    if len(sys.argv) != 2:
         sys.exit(__doc__.strip())
-    for folder, name in zip(sys.argv[1:], ('laws.png', 'laws_published.png')):
-        results = read(Path(folder))
-        png(IMAGES / name, lambda: comparison(results)[0])
+    results = read(Path(sys.argv[1]))
+    png(IMAGES / 'laws.png', lambda: comparison(results)[0])
