@@ -61,7 +61,7 @@ def test_without_noise_pilot_and_law_dock_together(law):
 @pytest.mark.parametrize('law', PUBLISHED)
 @pytest.mark.parametrize('shared', [AUTO, {}], ids=['alone', 'with pilot'])
 def test_with_its_published_gains_the_time_is_up_before_the_docking_plane(law, shared):
-    assert flown(law, PUBLISHED[law], **shared).verdict.reason[0] in ('timeout', 'left_corridor')
+    # in a cone so wide that odrrca, which hardly holds the direction, does not leave it first
     batch = flown(law, PUBLISHED[law], **shared, corridor__half_angle_deg=30.0)
     assert batch.verdict.reason[0] == 'timeout' and batch.end_step[0] == 400
 
