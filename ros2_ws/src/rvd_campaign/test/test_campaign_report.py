@@ -132,7 +132,7 @@ def test_paired_differences_of_measures_are_over_the_runs_that_succeed_in_both(h
         np.testing.assert_allclose(found['difference'], (a[name] - b[name])[both].mean())
         np.testing.assert_allclose(found['paired95'], expected.confidence_interval(0.95))
     low, high = d['measures']['delta_v_m_s']['paired95']
-    assert f'{low:+.3f} \u2026 {high:+.3f}' in html and 'the runs in which both succeed' in html
+    assert f'{low:+.4f} \u2026 {high:+.4f}' in html and 'the runs in which both succeed' in html
 
 
 def test_the_mean_time_of_a_condition_is_over_its_successes(html, made, whole):

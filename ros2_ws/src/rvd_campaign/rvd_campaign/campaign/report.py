@@ -151,7 +151,7 @@ def _measured(summary: dict[str, Any]) -> Table:
         return f'{found["difference"]:+.{digits}f}', ('' if low is None else
                                                       f'{low:+.{digits}f} \u2026 {high:+.{digits}f}')
     rows = [('', [f'{d["a"]} minus {d["b"]}', f'{d["both"]:,}',
-                  *(cell(d['measures'].get(name), m['digits']) for name, m in measures.items())])
+                  *(cell(d['measures'].get(name), m['digits'] + 1) for name, m in measures.items())])
             for d in summary['differences'] if 'measures' in d]
     return Table(['means, run by run', 'runs', *_heads(measures)], rows)
 
