@@ -108,7 +108,8 @@ def test_on_a_circular_orbit_it_is_the_odrrca_of_the_elliptic_mission(x, y, u, v
 
 # -- the tuning ----------------------------------------------------------------------------------
 
-@given(st.sampled_from(['safe_apf', 'odrrca']), st.lists(st.floats(0.0, 1.0), min_size=4, max_size=4))
+@given(st.sampled_from(['safe_apf', 'odrrca']),
+       st.lists(st.floats(0.0, 1.0), min_size=4, max_size=4))
 def test_wherever_it_searches_the_speed_at_30_m_is_a_quarter_of_a_metre_per_second(law, place):
     found = tuning.settings_at(law, np.array(place[:len(tuning.RANGES[law])]))
     beyond = found['aim.beyond_m']

@@ -148,10 +148,11 @@ def _measured(summary: dict[str, Any]) -> Table:
         if found is None or found['difference'] is None:
             return DASH
         low, high = found['paired95']
-        return f'{found["difference"]:+.{digits}f}', ('' if low is None else
-                                                      f'{low:+.{digits}f} \u2026 {high:+.{digits}f}')
+        interval = '' if low is None else f'{low:+.{digits}f} \u2026 {high:+.{digits}f}'
+        return f'{found["difference"]:+.{digits}f}', interval
     rows = [('', [f'{d["a"]} minus {d["b"]}', f'{d["both"]:,}',
-                  *(cell(d['measures'].get(name), m['digits'] + 1) for name, m in measures.items())])
+                  *(cell(d['measures'].get(name), m['digits'] + 1)
+                    for name, m in measures.items())])
             for d in summary['differences'] if 'measures' in d]
     return Table(['means, run by run', 'runs', *_heads(measures)], rows)
 

@@ -34,8 +34,8 @@ class OdrrcaAim(AimParams):
     """The point that `odrrca` heads for, and the speed it keeps."""
 
     beyond_m: float = param(
-        300.0, 'Distance beyond the docking plane of the point that the law heads for [m].', low=0.0,
-        high=1000.0)
+        300.0, 'Distance beyond the docking plane of the point that the law heads for [m].',
+        low=0.0, high=1000.0)
 
 
 @settings
@@ -50,7 +50,7 @@ class Odrrca:
     k: float = param(-0.923, 'Gain of the range rate, by which the range follows exp(k n t).')
     k1: float = param(0.0, 'Gain of the direction rate in the range rate.')
     q: float = param(102000.0, 'Stiffness of the transverse thruster.', above=0.0, high=1e8)
-    q1: float = param(2020.0, 'Damping of the transverse thruster.', low=0.0, high=1e6)
+    q1: float = param(2020.0, 'Damping of the transverse thruster.', low=0.0)
     ff: str = param(
         'on', 'Feed-forward of the transverse thruster, of gravity and closing.',
         choices=('off', 'on'))

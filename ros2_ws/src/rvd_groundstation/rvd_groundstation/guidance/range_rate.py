@@ -1,5 +1,5 @@
 """
-Range-rate control: the reference range rate and the transverse acceleration, from the line of sight.
+Range-rate control: reference range rate and transverse acceleration, from the line of sight.
 
 Frame   target orbital (`motion.kepler`); the line of sight runs from target to chaser at the
         angle phi from radial-out, positive along the orbital motion: x = D sin phi, y = D cos phi.
@@ -108,6 +108,6 @@ def feed_forward(ff: str, k: ArrayLike, k2: float, phi_d: float, target: Motion,
 
 
 def keeping(los: LineOfSight, target: Motion, gravity: float) -> Array:
-    """Return the acceleration along the line of sight [m/s^2] that keeps D.; gravity is mu / r^3."""
+    """Return the acceleration [m/s^2] along the line of sight that keeps D.; gravity: mu/r^3."""
     turn, side = los.direction_rate + target.rate, np.cos(los.direction)
     return -los.range*(turn*turn + gravity*(3.0*side*side - 1.0))

@@ -47,7 +47,7 @@ class ApproachCorridor(SpeedCorridor):
 
 @settings
 class SafeApproach(TargetField):
-    """Potential field of the target with a corridor of the approach speed, past the docking plane."""
+    """Potential field of the target with a corridor of the approach speed, past the plane."""
 
     run: Run = wiring()
     max_speed_m_s: float = param(
@@ -58,8 +58,8 @@ class SafeApproach(TargetField):
     contact_m: float = param(
         0.0, 'Distance L from the aim point at which the law stops [m].', low=0.0, high=1000.0)
     response_s: float = param(
-        0.666, 'Time T in which an error of velocity is removed, where 0 means one step [s].', low=0.0,
-        high=1000.0)
+        0.666, 'Time T in which an error of velocity is removed, where 0 means one step [s].',
+        low=0.0, high=1000.0)
     aim: AimParams = param(ApproachAim, 'Where the law heads.')
 
     def wanted(self, prediction: ArrayLike, stick: ArrayLike | None = None) -> Array:

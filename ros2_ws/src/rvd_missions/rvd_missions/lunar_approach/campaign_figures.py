@@ -1,5 +1,5 @@
 """
-The figures of a campaign of approaches: where runs dock, how they fly, where they fail, what it costs.
+The figures of a campaign of approaches: where runs dock, fly and fail, and what it costs.
 
 They are drawn from the result table; tracks are flown again for the runs that are shown.
 """
@@ -159,8 +159,8 @@ def comparison(results: Any) -> Drawn:
         panel.set(xlabel=label)
     for panel in figure.axes:
         panel.grid(axis='y', visible=False)
-    return figure, ('Success with its 95 % interval (Wilson). The others: median, quartiles, and 5 to '
-                    '95 % of the successful runs of each condition.')
+    return figure, ('Success with its 95 % interval (Wilson). The others: median, quartiles, and 5 '
+                    'to 95 % of the successful runs of each condition.')
 
 
 def _spread(axes: 'Axes', at: int, values: NDArray[np.float64]) -> None:

@@ -143,7 +143,8 @@ def main(laws: list[str]) -> None:
     for law in laws or RANGES:
         _say(bench, law, 'defaults', {})
         for start in range(STARTS):
-            _say(bench, law, f'start {start}, {FIRST + ROUNDS*EACH} points', tuned(law, bench, start))
+            what = f'start {start}, {FIRST + ROUNDS*EACH} points'
+            _say(bench, law, what, tuned(law, bench, start))
 
 
 def _say(bench: Bench, law: str, what: str, found: dict[str, Any]) -> None:
