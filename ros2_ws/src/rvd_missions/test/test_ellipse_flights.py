@@ -17,10 +17,10 @@ from test_limit_cycles import slope
 
 from rvd_dynamics.diagram.in_process import fly
 from rvd_dynamics.diagram.scenario import load
+from rvd_groundstation.guidance.range_rate import line_of_sight, LineOfSight, state_of
 from rvd_missions.elliptic_rendezvous import laws
 from rvd_missions.elliptic_rendezvous.gains import CycleCase
 from rvd_missions.elliptic_rendezvous.judge import Judge
-from rvd_missions.elliptic_rendezvous.laws import line_of_sight, LineOfSight, state_of
 from rvd_missions.elliptic_rendezvous.signals import GUIDANCE, TRUTH
 
 ROOT = Path(__file__).resolve().parents[4]

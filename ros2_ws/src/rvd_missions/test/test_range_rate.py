@@ -17,8 +17,9 @@ from rvd_dynamics.diagram.run import Legs
 from rvd_dynamics.diagram.scenario import load
 from rvd_dynamics.motion import elliptic
 from rvd_dynamics.motion.kepler import EllipseParams
-from rvd_missions.elliptic_rendezvous.laws import (
-    across, feed_forward, LAWS, line_of_sight, LineOfSight, Odrrca, range_rate, Rrca, state_of, wrap)
+from rvd_groundstation.guidance.range_rate import (
+    across, feed_forward, line_of_sight, LineOfSight, range_rate, state_of, wrap)
+from rvd_missions.elliptic_rendezvous.laws import LAWS, Odrrca, Rrca
 from rvd_missions.elliptic_rendezvous.prediction import VaryingPredictor
 from rvd_missions.elliptic_rendezvous.thrust import ThrustParams, Thrusters
 

@@ -13,7 +13,8 @@ from rvd_dynamics.diagram.control import Control
 from rvd_dynamics.diagram.run import Legs
 from rvd_dynamics.diagram.scenario import Scenario
 from rvd_dynamics.motion.kepler import EllipseParams
-from rvd_missions.elliptic_rendezvous.laws import line_of_sight, Rrca
+from rvd_groundstation.guidance.range_rate import line_of_sight
+from rvd_missions.elliptic_rendezvous.laws import Rrca
 from rvd_missions.elliptic_rendezvous.prediction import VaryingPredictor
 from rvd_missions.elliptic_rendezvous.settings import ArrivalParams
 from rvd_missions.elliptic_rendezvous.signals import GUIDANCE, PREDICTION

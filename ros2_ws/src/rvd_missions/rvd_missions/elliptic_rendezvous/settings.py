@@ -12,7 +12,8 @@ from rvd_dynamics.commands.form import thrusters
 from rvd_dynamics.diagram.params import param, settings
 from rvd_dynamics.diagram.run import Run
 from rvd_dynamics.motion.kepler import EllipseParams
-from rvd_missions.elliptic_rendezvous.laws import LAWS, LineOfSight, Rrca, state_of
+from rvd_groundstation.guidance.range_rate import LineOfSight, state_of
+from rvd_missions.elliptic_rendezvous.laws import LAWS, Rrca
 
 ThrusterParams = thrusters(0.6)
 
