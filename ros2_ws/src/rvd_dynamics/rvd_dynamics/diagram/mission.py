@@ -65,7 +65,7 @@ class Mission:
         `display.scene.Field`; empty: the corridor and the control boundary of an approach.
     columns : str
         'module:NAME' of the names of all columns of a campaign's table in their order, for a
-        mission that orders them; empty: the verdict, the measures, then what the block `columns`
+        mission that orders them ('NAME?': where there is one); empty: the verdict, the measures, then what the block `columns`
         makes.
     figures, campaign_figures, display, usual_steps : str
         'module:NAME' of the figures of a recording and those of a campaign, the console's
