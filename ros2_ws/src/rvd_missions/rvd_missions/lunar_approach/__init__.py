@@ -56,6 +56,7 @@ MISSION = Mission(
     campaign_notes=f'{HERE}.campaigns:notes',
     short_words={'pilot': f'{HERE}.campaigns:pilot'},
     display=f'{HERE}.display:LunarDisplay',
+    scene=f'{HERE}.scene:scene',
     usual_steps=f'{HERE}.settings:usual_steps',
     modes=('manual', 'shared', 'auto'),
     markers=True,
