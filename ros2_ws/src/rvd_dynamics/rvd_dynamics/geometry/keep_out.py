@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rvd_dynamics.commands.form import CommandForm
+from rvd_dynamics.commands.levels import HIGHEST
 from rvd_dynamics.diagram.params import param, require, settings
 from rvd_dynamics.motion import cw
 
@@ -36,7 +37,7 @@ class StopParams:
         4.0, 'Error of the prediction that is allowed for, in its standard deviations.', low=0.0,
         high=10.0)
     lost_commands: int = param(
-        1, 'Commands of the brake level that may be lost within one loop delay.', low=0, high=20)
+        1, 'Commands of the highest level that may be lost within one loop delay.', low=0, high=20)
     first_error_m: tuple = param(
         (1.0, 0.05, 0.05), 'Error of the first prediction along x, y and z for which a feasible '
         'start leaves room [m].', low=0.0, high=100.0, length=3)
@@ -46,21 +47,24 @@ class Stop(NamedTuple):
     """How a chaser stops: what `StopParams` mean for its thrust, orbit and delay."""
 
     decelerations: Array                # (3,) a_i [m/s^2]
-    lost_m: Array                       # (3,) what lost commands may move it within a loop [m]
+    brake_level: int
+    lost_m_s: Array                     # (3,) what lost commands may change of the rate [m/s]
     error_sigmas: float
     first_error_m: Array                # (3,)
-    loop_s: float                       # [s]
+    loop_s: float                       # [s] loop delay
+    learn_s: float                      # [s] until commands take into account that one was lost
 
     def box(self, sigma: Array, velocity: Array) -> Array:
         """
         Return E (3, ...) [m] for standard deviations (6, ...) of a predicted state.
 
         An error of the rate, too, moves the place of the stop: by itself times the time it takes.
+        A command that is lost is an error of both, of which the ground learns a loop delay later.
         """
-        per_axis = _tailed(1.0 / self.decelerations, velocity)
-        sigma_p, sigma_v = sigma[:3], sigma[3:]
-        error = self.error_sigmas * (sigma_p + sigma_v * np.abs(velocity) * per_axis)
-        return error + _tailed(self.lost_m, velocity)
+        brake = _tailed(self.decelerations, velocity)
+        lost, time = _tailed(self.lost_m_s, velocity), np.abs(velocity) / brake
+        error = self.error_sigmas * (sigma[:3] + sigma[3:]*time)
+        return error + lost*(self.learn_s + time + lost/(2.0*brake))
 
 
 def stop_of(params: StopParams, form: CommandForm, mean_motion: float, step_s: float,
@@ -79,8 +83,10 @@ def stop_of(params: StopParams, form: CommandForm, mean_motion: float, step_s: f
     require(bool(np.all(decelerations > 0.0)), 'brake_level',
             f'give more than {drift/(1.0 - WEAKER):.3g} m/s^2, what the orbit takes from a stop',
             f'level {params.brake_level} of {level.tolist()} m/s^2')
-    lost = params.lost_commands * level * step_s * loop_s
-    return Stop(decelerations, lost, params.error_sigmas, np.array(params.first_error_m), loop_s)
+    highest = form.effect(np.full(3, HIGHEST, dtype=np.int8))
+    return Stop(decelerations, params.brake_level, params.lost_commands * highest * step_s,
+                params.error_sigmas, np.array(params.first_error_m), loop_s,
+                loop_s + 2.0*step_s)
 
 
 def times(velocity: Array, decelerations: Array) -> Array:
@@ -158,7 +164,8 @@ def start_room(state: ArrayLike, places: Array, radii: Array, stop: Stop, mean_m
         for place, radius in zip(where, radii):
             x, y, z = now[:3] - place
             np.minimum(least, np.sqrt(x*x + y*y + z*z) - radius - SLACK_M, out=least)
-    box = np.broadcast_to(2.0 * (stop.first_error_m + stop.lost_m)[:, None], (3, now.shape[1]))
+    lost = stop.box(np.zeros_like(now), now[3:])
+    box = 2.0 * (stop.first_error_m[:, None] + lost)
     return np.minimum(least, room(now, where, radii, box, stop)).reshape(batch)
 
 

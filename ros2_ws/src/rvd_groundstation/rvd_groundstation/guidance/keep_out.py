@@ -133,21 +133,38 @@ class BarrierAmong:
         bad = np.flatnonzero(gap < SLACK_M)
         if not bad.size:
             return
-        inside = np.zeros((LEVELS.size,)*3 + (bad.size,))
+        a = self._accel[:, 0]
+        price = np.empty((LEVELS.size, 3, bad.size))
+        price[:, 0] = np.abs(a[:, None] - a[index[0][bad]]) + THRUST_WEIGHT*np.abs(a)[:, None]
+        price[:, 1:] = cost[..., rows[bad]]
+        some = [[axis[..., bad] for axis in axes] for axes in squares]
+        # the weaker a command, the less is lost with it
+        best, least = self._best(some, price, self._stop.brake_level)
+        hard = np.flatnonzero(least > 0.0)
+        if hard.size:
+            best[:, hard], _ = self._best(
+                [[axis[..., hard] for axis in axes] for axes in some], price[..., hard], HIGHEST)
+        levels[:, rows[bad]] = best
+
+    def _best(self, squares: list, price: Array, most: int) -> tuple[NDArray, Array]:
+        """Return the best commands (3, n) of levels up to `most`, and how far in they end [m]."""
+        used = slice(HIGHEST - most, HIGHEST + most + 1)
+        n, size = price.shape[-1], 2*most + 1
+        inside = np.zeros((size, size, size, n))
+        least = np.empty_like(inside)
         for axes, r in zip(squares, self._radii):
-            x, y, z = (np.ascontiguousarray(axes[i][..., bad]) for i in range(3))
-            least = np.full(inside.shape, np.inf)
+            x, y, z = (np.ascontiguousarray(axis[used]) for axis in axes)
+            least.fill(np.inf)
             for j in range(x.shape[1]):
                 lateral = y[:, j][:, None] + z[:, j]
                 np.minimum(least, x[:, j][:, None, None] + lateral, out=least)
             np.maximum(inside, r + SLACK_M - np.sqrt(least), out=inside)
-        inside *= CONTACT_WEIGHT
-        a = self._accel[:, 0]
-        along = np.abs(a[:, None] - a[index[0][bad]]) + THRUST_WEIGHT*np.abs(a)[:, None]
-        lateral = cost[..., rows[bad]]
-        inside += along[:, None, None] + lateral[:, 0][None, :, None] + lateral[:, 1][None, None]
-        best = inside.reshape(-1, bad.size).argmin(axis=0)
-        levels[:, rows[bad]] = np.stack(np.unravel_index(best, inside.shape[:3])) - HIGHEST
+        along, lateral, across = (price[used, i] for i in range(3))
+        total = CONTACT_WEIGHT*inside + (
+            along[:, None, None] + lateral[None, :, None] + across[None, None])
+        best = total.reshape(-1, n).argmin(axis=0)
+        chosen = inside.reshape(-1, n)[best, np.arange(n)]
+        return np.stack(np.unravel_index(best, inside.shape[:3])) - most, chosen
 
     def _gap(self, squares: list, index: NDArray) -> Array:
         """Return how far outside all bodies the stops (n,) after the commands `index` (3, n) stay."""

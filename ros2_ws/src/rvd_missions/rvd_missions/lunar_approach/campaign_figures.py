@@ -15,6 +15,7 @@ from rvd_dynamics.diagram.scenario import Scenario
 from rvd_dynamics.geometry import cone
 from rvd_dynamics.recording.drawing import (
     BLUE, CampaignFigure, canvas, DASHED, INK, LINES, ORANGE)
+from rvd_missions.lunar_approach import cluttered
 from rvd_missions.lunar_approach.signals import TRUTH
 
 if TYPE_CHECKING:
@@ -142,4 +143,5 @@ FIGURES = {
     'landing': CampaignFigure(landing, 'At the docking plane', ('y_m', 'z_m'), tall=True),
     'tracks': CampaignFigure(tracks, 'Tracks', tall=True),
     'failures': CampaignFigure(failures, 'Where runs fail', ('failed_x_m',)),
+    'cluttered': CampaignFigure(cluttered.draw, 'Among obstacles', cluttered.COLUMNS, tall=True),
 }
