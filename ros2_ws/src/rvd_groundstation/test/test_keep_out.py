@@ -148,7 +148,8 @@ def test_nor_where_the_prediction_is_wrong_by_all_that_is_allowed_for(seed, pilo
 
 @FIELDS
 @given(st.integers(0, 2**32 - 1), st.sampled_from(PILOTS))
-def test_nor_where_a_command_of_each_loop_delay_is_lost_the_one_that_brakes(seed, pilot, lost=1):
+def test_nor_where_a_command_of_each_loop_delay_is_lost_the_one_that_brakes(seed, pilot):
+    lost = 1
     stop = stop_for(lost_commands=lost)
     state, places, radii = feasible(seed, stop, [0.0]*6)
     law = barrier(places, radii, stop)
