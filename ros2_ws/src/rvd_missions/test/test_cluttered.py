@@ -179,8 +179,8 @@ def test_console_and_markers_draw_the_spheres_of_the_run():
     ('/**', {'obstacles__position_m': [-9.0, 0.0, 0.0, -30.1, 0.2, 0.0] + [-9.0, 0.0, 0.0]*2},
      'obstacles.position_m of obstacle 2 must be more than 0.3 m from the start, where the chaser '
      'is, got [-30.1, 0.2, 0.0]'),
-    ('/**', {'obstacles__position_m': [-9.0, 0.0]}, 'must be 12 numbers, three for each of radius_m'),
-    ('/**', {'obstacles__number': 5}, 'number must be at most the 4 that radius_m lists, got 5'),
+    ('/**', {'obstacles__position_m': [-9.0, 0.0]}, 'must be 12 numbers, three for each of obstacles.radius_m'),
+    ('/**', {'obstacles__number': 5}, 'obstacles.number must be at most the 4 that obstacles.radius_m lists, got 5'),
     ('/**', {'obstacles__scatter_m': [0.1, -0.1, 0.1]}, 'scatter_m[1] must not be negative'),
     ('/**', {'thrust__lateral_m_s2': [1e-4, 4e-4, 0.02]}, 'brake_level must give more than'),
     ('state_predictor', {'filter': 'scheduled'}, 'state_predictor: filter must be adaptive among'),

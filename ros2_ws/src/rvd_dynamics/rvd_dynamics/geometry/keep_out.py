@@ -7,7 +7,7 @@ Stop    each axis brakes by itself at a deceleration a_i that it surely has:
 Body    sphere k, widened along each axis by the box E: the points whose distance from the box
         about the centre is below R_k. It is the set of centres that a point known to within E may
         have touched, exactly, and it is convex.
-Safe    is a state whose whole stop stays outside all bodies. Source: docs/missions/cluttered.md.
+Safe    is a state whose whole stop stays outside all bodies. Source: docs/cluttered.md.
 """
 
 from typing import NamedTuple

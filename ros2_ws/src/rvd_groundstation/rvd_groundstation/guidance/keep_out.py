@@ -2,7 +2,7 @@
 Laws among keep-out spheres: the barrier made to stop short of them, the potential field of a sphere.
 
 Frame   target orbital; states (..., 6) and places of obstacles (..., M, 3), the known map.
-Method  Ours; docs/missions/cluttered.md has derivation and limits. `among` gives a law the map:
+Method  Ours; docs/cluttered.md has derivation and limits. `among` gives a law the map:
         Barrier     sends the command nearest to what it would send from which the chaser can still
                     stop outside all bodies (`geometry.keep_out`), after one step at that command
         CorridorApf, DampedApf      add to their wall the same field about each sphere

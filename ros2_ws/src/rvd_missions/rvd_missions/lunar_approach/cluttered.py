@@ -2,7 +2,7 @@
 What becomes of runs among obstacles: counted by whether the start was feasible.
 
 `./rvd shell python -m rvd_missions.lunar_approach.cluttered FOLDER` prints the table of a finished
-campaign, best first among the conditions of a field, for docs/missions/cluttered.md.
+campaign, best first among the conditions of a field, for docs/cluttered.md.
 """
 
 import argparse

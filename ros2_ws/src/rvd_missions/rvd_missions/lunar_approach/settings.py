@@ -58,8 +58,7 @@ class Obstacles(Spheres):
     stop: StopParams = param(StopParams, 'What a stop short of an obstacle counts on.')
 
     def __post_init__(self) -> None:
-        Spheres.__post_init__(self)
-        rows_of('position_m', self.position_m, len(self.radius_m))
+        """Check nothing here: whether the lists fit each other is seen by `clear_start`."""
 
     @property
     def nominal(self) -> NDArray[np.float64]:
@@ -118,16 +117,21 @@ def clear_start(scenario: Scenario, obstacles: Obstacles, start: StartParams, co
     ValueError
         Names the key, the value and the bound.
     """
+    if not obstacles.count:
+        return True
+    listed = len(obstacles.radius_m)
+    require(obstacles.count <= listed, 'obstacles.number',
+            f'be at most the {listed} that obstacles.radius_m lists', obstacles.number)
+    rows_of('obstacles.position_m', obstacles.position_m, listed, 'obstacles.radius_m')
     for i, (place, radius) in enumerate(zip(obstacles.nominal, obstacles.radii)):
         key = f'obstacles.position_m of obstacle {i + 1}'
         require_apart(key, place, np.zeros(3), cone.docking_radius_m + radius,
                       'the docking port, which it would overlap')
         require_apart(key, place, np.array(start.position_m), radius,
                       'the start, where the chaser is')
-    if obstacles.count:
-        scenario.part('stop')
-        method = scenario.settings('state_predictor').filter
-        require(method == 'adaptive', 'state_predictor: filter',
-                'be adaptive among obstacles, where the chaser may stand: the scheduled filter '
-                'knows only the straight approach', method)
+    scenario.part('stop')
+    method = scenario.settings('state_predictor').filter
+    require(method == 'adaptive', 'state_predictor: filter',
+            'be adaptive among obstacles, where the chaser may stand: the scheduled filter '
+            'knows only the straight approach', method)
     return True
