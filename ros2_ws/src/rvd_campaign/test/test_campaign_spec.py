@@ -13,7 +13,7 @@ from rvd_campaign.catalogue import entries
 from rvd_groundstation.operators.pilot import PILOTS
 
 SHIPPED = [
-    'attitude', 'attitude_delay', 'delay', 'ellipse', 'eta', 'laws', 'laws_published', 'laws_rough',
+    'attitude', 'attitude_delay', 'cluttered', 'delay', 'ellipse', 'eta', 'laws', 'laws_published', 'laws_rough',
     'loss', 'obstacle_corridor', 'obstacle_moving', 'obstacle_moving_spread', 'obstacle_smooth',
     'obstacle_static', 'obstacle_static_spread', 'obstacle_thrust', 'replicates', 'table3', 'variants']
 

@@ -15,6 +15,7 @@ from rvd_dynamics.diagram.scenario import Scenario
 from rvd_dynamics.geometry import cone
 from rvd_dynamics.recording.drawing import (
     BLUE, CampaignFigure, canvas, DASHED, INK, LINES, ORANGE)
+from rvd_missions.lunar_approach import cluttered
 from rvd_missions.lunar_approach.signals import TRUTH
 
 if TYPE_CHECKING:
@@ -177,4 +178,5 @@ FIGURES = {
     'tracks': CampaignFigure(tracks, 'Tracks', tall=True),
     'failures': CampaignFigure(failures, 'Where runs fail', ('failed_x_m',)),
     'comparison': CampaignFigure(comparison, 'Conditions side by side', tuple(COMPARED), tall=True),
+    'cluttered': CampaignFigure(cluttered.draw, 'Among obstacles', cluttered.COLUMNS, tall=True),
 }
