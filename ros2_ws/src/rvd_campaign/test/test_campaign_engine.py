@@ -131,7 +131,7 @@ def test_terminal_position_fits_the_offset_and_failures_have_time_and_place(once
 
 def test_columns_of_the_table_are_those_that_the_mission_orders(once):
     for _, table in results.tables(once[0] / RESULTS):
-        assert list(table) == list(columns.ORDER)
+        assert list(table) == [name for name in columns.ORDER if not name.endswith('?')]
         assert [results.kind_of(*column) for column in table.items()] == (
             ['i8', '?', 'U'] + ['f8']*14 + ['i8']*6)
 
