@@ -19,6 +19,7 @@ from rvd_groundstation.guidance.corridor_apf import CorridorApf
 from rvd_groundstation.guidance.damped_apf import DampedApf
 from rvd_groundstation.guidance.keep_out import among, Map, uses_covariance
 from rvd_groundstation.guidance.none import NoLaw
+from rvd_groundstation.guidance.safe_approach import ApproachObstacles, SafeApproach
 from rvd_groundstation.sharing import StickFilter
 
 class Among(Paper):
@@ -257,7 +258,7 @@ def test_room_of_a_start_is_the_same_alone_and_in_a_batch(batch):
 
 # -- the laws as laws --------------------------------------------------------------------------------
 
-@pytest.mark.parametrize('kind', [Barrier, CorridorApf, DampedApf])
+@pytest.mark.parametrize('kind', [Barrier, CorridorApf, DampedApf, SafeApproach])
 def test_rows_among_obstacles_are_equal_to_single_calls_bit_for_bit(kind):
     state, places, radii = fields(8, 60)
     law = PAPER.law(kind, **({'sharing': StickFilter()} if kind is Barrier else {}))
@@ -301,6 +302,33 @@ def test_the_field_of_a_sphere_is_that_of_the_wall_at_the_same_distance():
     assert_array_equal(law.from_sphere(state - [1.0, 0, 0, 0, 0, 0], place, r), 0.0)
     total = among(law, Map(place[None], np.array([r]), stop_for())).wanted(state, None)
     assert_allclose(total, law.wanted(state, None) + law.from_sphere(state, place, r))
+
+
+def approach(**obstacles):
+    return PAPER.law(SafeApproach, obstacles=ApproachObstacles(**obstacles))
+
+
+def test_safe_apf_adds_its_repulsion_while_the_zone_is_entered_and_no_longer():
+    law, r = approach(), np.array([0.4])
+    place = np.array([[-10.0, 0.0, 0.0]])
+    among_one = among(law, Map(place, r, stop_for()))
+    zone = 1.8*(0.4 + 0.25**2/(2*0.02))                             # d_0 (L_o + D_stop)
+    sigma = (0.4 + zone)/3.0
+    for distance in (3.0, zone - 0.01, zone + 0.01, 6.0):
+        state = np.array([-10.0 - distance, 0.0, 0.0, 0.25, 0.0, 0.0])
+        push = 0.4/sigma**2*distance*np.exp(-0.5*(distance/sigma)**2)*(distance < zone)
+        assert_allclose(among_one.wanted(state, None) - law.wanted(state, None),
+                        [-push/0.666, 0.0, 0.0], atol=1e-12)
+
+
+def test_by_probability_it_asks_for_the_covariance_and_alarms_where_the_sphere_is_likely():
+    law, sharp, blunt = approach(alarm='probability'), np.eye(6)*1e-4, np.eye(6)
+    assert uses_covariance(law) and not uses_covariance(approach())
+    known = Map(np.array([[-10.0, 0.0, 0.0]]), np.array([0.4]), stop_for())
+    state = np.array([-12.0, 0.0, 0.0, 0.25, 0.0, 0.0])
+    plain = law.wanted(state, None)
+    assert_array_equal(among(law, known).wanted(state, None, sharp), plain)
+    assert among(law, known).wanted(state, None, blunt)[0] < plain[0]
 
 
 def test_a_law_without_a_term_for_obstacles_is_left_as_it_is():

@@ -6,6 +6,7 @@ Method  Ours; docs/cluttered.md has derivation and limits. `among` gives a law t
         Barrier     sends the command nearest to what it would send from which the chaser can still
                     stop outside all bodies (`geometry.keep_out`), after one step at that command
         CorridorApf, DampedApf      add to their wall the same field about each sphere
+        SafeApproach                adds its own repulsion by obstacles that alarm
         any other   has no term for obstacles and flies as if there were none
 """
 
@@ -21,6 +22,7 @@ from rvd_dynamics.motion import cw
 from rvd_groundstation.guidance.barrier import (
     Barrier, LEVELS, Levels, SLOWEST_M_S, THRUST_WEIGHT)
 from rvd_groundstation.guidance.corridor_apf import CorridorApf
+from rvd_groundstation.guidance.safe_approach import SafeApproach
 
 Array = NDArray[np.float64]
 CONTACT_WEIGHT = 1e9            # [m/s^2 per m] a body outweighs any corridor
@@ -47,12 +49,15 @@ def among(law: Any, known: Map) -> Any:
         return BarrierAmong(law, known)
     if isinstance(law, CorridorApf):
         return FieldAmong(law, known)
+    if isinstance(law, SafeApproach):
+        return ApproachAmong(law, known)
     return law
 
 
 def uses_covariance(law: Any) -> bool:
     """Say whether a law among obstacles asks how well the state is predicted."""
-    return isinstance(law, Barrier)
+    return isinstance(law, Barrier) or (
+        isinstance(law, SafeApproach) and law.obstacles.alarm == 'probability')
 
 
 class BarrierAmong:
@@ -257,3 +262,26 @@ class FieldAmong:
         for k, r in enumerate(self._radii):
             total = total + law.from_sphere(state, self._places[..., k, :], r)
         return total
+
+
+class ApproachAmong:
+    """`safe_apf` with its repulsion by spheres; called once a step: it keeps which alarm."""
+
+    uses_stick: ClassVar[bool] = False
+
+    def __init__(self, law: SafeApproach, known: Map) -> None:
+        self._law, self._radii = law, known.radii
+        self._places = np.concatenate([known.places, np.zeros_like(known.places)], axis=-1)
+        self._on = np.zeros((), dtype=bool)
+
+    def wanted(self, prediction: ArrayLike, stick: ArrayLike | None,
+               covariance: Array | None = None) -> Array:
+        """Return the acceleration (..., 3) wanted; `covariance` (..., 6, 6) of the prediction."""
+        state, field = np.asarray(prediction, dtype=float), self._law.obstacles
+        met = field.encounter(state, self._places, self._radii)
+        spread = None if covariance is None else np.asarray(covariance)[..., None, :3, :3]
+        self._on, _ = field.alarmed(met, spread, self._on)
+        total, pushes = self._law.wanted(state, stick), field.repulsion(met, self._on)
+        if not len(pushes):
+            return total
+        return total + np.stack(pushes, axis=-1) / self._law.time_s

@@ -125,8 +125,8 @@ class TargetField:
 
 
 @settings
-class SafeApf(TargetField):
-    """Potential field with alarms for obstacles and a corridor of the approach speed."""
+class ObstacleField:
+    """Repulsion by obstacles, each on while it alarms."""
 
     repulsion_m2_s: float = param(
         0.4, 'Product k_i k_o of the gains of the repulsion by obstacles [m^2/s].', low=0.0,
@@ -230,6 +230,11 @@ class SafeApf(TargetField):
         push = self.repulsion_m2_s / (sigma*sigma) * np.exp(-0.5*share*share)
         push = np.where(on, push, 0.0)
         return tuple(_added(push * component) for component in met.away)
+
+
+@settings
+class SafeApf(TargetField, ObstacleField):
+    """Potential field with alarms for obstacles and a corridor of the approach speed."""
 
 
 def _added(parts: Array) -> Array:

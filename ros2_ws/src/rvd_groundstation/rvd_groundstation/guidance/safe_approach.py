@@ -1,5 +1,7 @@
 """
-The law `safe_apf` along a docking axis: its attraction and speed corridor, without obstacles.
+The law `safe_apf` along a docking axis: its attraction and speed corridor.
+
+Among keep-out spheres `keep_out.among` adds its repulsion by obstacles.
 
 Frame   target orbital, docking plane at x = 0, the chaser comes from x < 0.
 State   (x, y, z, vx, vy, vz) [m, m/s] on the last axis; leading axes are batch axes.
@@ -18,7 +20,7 @@ from rvd_dynamics.diagram.params import param, settings, wiring
 from rvd_dynamics.diagram.run import Run
 from rvd_dynamics.geometry.speed_corridor import SpeedCorridor
 from rvd_groundstation.guidance.aim import AimParams
-from rvd_groundstation.guidance.safe_apf import ALWAYS_S, TargetField
+from rvd_groundstation.guidance.safe_apf import ALWAYS_S, ObstacleField, TargetField
 
 Array = NDArray[np.float64]
 
@@ -46,6 +48,17 @@ class ApproachCorridor(SpeedCorridor):
 
 
 @settings
+class ApproachObstacles(ObstacleField):
+    """Repulsion by keep-out spheres on the approach."""
+
+    braking_m_s2: float = param(
+        0.02, 'Deceleration of the braking distance, a_max [m/s^2].', above=0.0, high=1000.0)
+    alarm: str = param(
+        'distance', 'What puts the repulsion by an obstacle on: its distance, the collision '
+        'probability, or nothing.', choices=('distance', 'probability', 'none'))
+
+
+@settings
 class SafeApproach(TargetField):
     """Potential field of the target with a corridor of the approach speed, past the plane."""
 
@@ -61,11 +74,17 @@ class SafeApproach(TargetField):
         0.666, 'Time T in which an error of velocity is removed, where 0 means one step [s].',
         low=0.0, high=1000.0)
     aim: AimParams = param(ApproachAim, 'Where the law heads.')
+    obstacles: ObstacleField = param(ApproachObstacles, 'Repulsion by keep-out spheres.')
+
+    @property
+    def time_s(self) -> float:
+        """T, the time in which an error of velocity is removed [s]."""
+        return self.response_s or self.run.step_s
 
     def wanted(self, prediction: ArrayLike, stick: ArrayLike | None = None) -> Array:
         """Return the acceleration (..., 3) [m/s^2] wanted; see `Law.wanted`."""
         state = self.aim.seen(prediction)
-        rate = 1.0 / (self.response_s or self.run.step_s)
+        rate = 1.0 / self.time_s
         wish = self.approach(state, ALWAYS_S)
         result = np.empty((3, *state.shape[:-1]))
         for i in range(3):
