@@ -3,8 +3,10 @@
 from setuptools import find_packages, setup
 
 NAME = 'rvd_missions'
-MISSIONS = ['lunar_approach', 'attitude_hold', 'obstacle_field', 'elliptic_rendezvous']
-BLOCKS = ['attitude_dynamics', 'attitude_sensors', 'attitude_controller']
+MISSIONS = ['lunar_approach', 'attitude_hold', 'obstacle_field', 'elliptic_rendezvous',
+            'docking']
+BLOCKS = ['attitude_dynamics', 'attitude_sensors', 'attitude_controller', 'docking_dynamics',
+          'inertial_unit', 'camera', 'vision', 'docking_navigation', 'docking_controller']
 
 setup(
     name=NAME,

@@ -124,3 +124,29 @@ class Allocation:
                                            self._thrusters.force[self._index], wrench)
             self._solved[code] = u
         return self._solved[code]
+
+
+class Shares:
+    """
+    Makes pulses of shares: a valve that is to be open for a part of the time opens now and then.
+
+    A share of 1 is open, one of 0 shut; what lies between adds up until half of a shortest pulse
+    of `steps` is owed, and is then paid by one.
+    """
+
+    def __init__(self, steps: int, shape: tuple) -> None:
+        self._steps = steps
+        self._owed = np.zeros(shape)
+        self._left = np.zeros(shape, dtype=np.int64)
+
+    def open(self, share: ArrayLike) -> NDArray[np.bool_]:
+        """Return which valves are open in this step."""
+        share = np.asarray(share, dtype=float)
+        whole, part = share > 1.0 - 1e-9, (share > 1e-9) & (share <= 1.0 - 1e-9)
+        self._left = np.maximum(self._left - 1, 0)
+        if part.any():
+            self._owed = np.where(part, self._owed + share, self._owed)
+            starts = part & (self._left == 0) & (self._owed >= 0.5*self._steps)
+            self._left = np.where(starts, self._steps, self._left)
+            self._owed = np.where(starts, self._owed - self._steps, self._owed)
+        return whole | (self._left > 0)
