@@ -10,7 +10,7 @@ import pytest
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.onboard.control.pseudo_rate import limit_cycle, Modulator, ModulatorParams
 from rvd_dynamics.onboard.control.six_loops import (
-    attitude_loop, Design, LoopParams, require_design, SixLoops)
+    AttitudeLoopParams, Design, LoopParams, require_design, SixLoops)
 
 TABLE = ModulatorParams(on_threshold=0.1, off_threshold=0.06, time_constant_s=2.0)
 X0 = np.array([0.12, 0.2, 0.5, 0.9])
@@ -95,7 +95,7 @@ def test_off_threshold_above_on_threshold_is_refused():
 
 def held(loop, acceleration, seconds, start, step=0.01):
     """Return position and speed of a double integrator in one loop, (steps, 2)."""
-    loops = SixLoops(loop, attitude_loop(), step, ())
+    loops = SixLoops(loop, AttitudeLoopParams(), step, ())
     x, v, track = *start, []
     for _ in range(round(seconds/step)):
         error = np.zeros(6)
@@ -108,7 +108,7 @@ def held(loop, acceleration, seconds, start, step=0.01):
 
 
 def test_the_recommended_loops_have_the_dead_bands_and_the_limit_cycle_of_the_specification():
-    position, attitude = Design(LoopParams(), 0.02), Design(attitude_loop(), 16.0/2200.0)
+    position, attitude = Design(LoopParams(), 0.02), Design(AttitudeLoopParams(), 16.0/2200.0)
     assert position.loop.dead_band == pytest.approx(0.025)
     assert np.degrees(attitude.loop.dead_band) == pytest.approx(0.34, abs=5e-3)
     assert position.limit_cycle_s/2 == pytest.approx(95.0, abs=0.5)
@@ -139,7 +139,7 @@ def test_a_loop_brings_an_offset_home_without_overshooting_the_dead_band():
 def test_the_integral_takes_away_what_a_constant_push_leaves():
     """With a push of 2 mm/s^2: pulses at the edge of the dead band without, at the aim with it."""
     def mean_of(loop):
-        loops = SixLoops(loop, attitude_loop(), 0.01, ())
+        loops = SixLoops(loop, AttitudeLoopParams(), 0.01, ())
         x, v, xs = 0.0, 0.0, []
         for _ in range(30_000):
             u = loops.step([-x, 0, 0, 0, 0, 0], [-v, 0, 0, 0, 0, 0])[0]
@@ -153,8 +153,8 @@ def test_the_integral_takes_away_what_a_constant_push_leaves():
 
 def test_rows_and_axes_are_independent():
     rng = np.random.default_rng(3)
-    together = SixLoops(LoopParams(), attitude_loop(), 0.01, (4,))
-    alone = [SixLoops(LoopParams(), attitude_loop(), 0.01, ()) for _ in range(4)]
+    together = SixLoops(LoopParams(), AttitudeLoopParams(), 0.01, (4,))
+    alone = [SixLoops(LoopParams(), AttitudeLoopParams(), 0.01, ()) for _ in range(4)]
     for _ in range(50):
         e, de = rng.normal(size=(2, 4, 6))*0.05
         whole = together.step(e, de)
@@ -168,7 +168,7 @@ RULES = {'widest': 0.04, 'least_on_s': 0.04, 'delay_s': 0.05, 'frequencies': [0.
 
 def test_the_recommended_gains_keep_the_rules():
     require_design('position', Design(LoopParams(), 0.02), **RULES)
-    require_design('attitude', Design(attitude_loop(), 0.0073), **{**RULES, 'widest': 0.00611})
+    require_design('attitude', Design(AttitudeLoopParams(), 0.0073), **{**RULES, 'widest': 0.00611})
 
 
 @pytest.mark.parametrize('changed, rules, words', [

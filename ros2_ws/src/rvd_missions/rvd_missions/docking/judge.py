@@ -55,11 +55,11 @@ class Judge:
         self._points = markers.TARGET_PORT + np.concatenate([markers.BIG, markers.SMALL])
         self._live = np.ones(batch, dtype=bool)
         self._reason = np.full(batch, '', dtype='U8')
-        self._duration, self._blind, self._closing, self._spent, self._pulses = np.zeros((5, *batch))
+        self._duration, self._blind, self._closing = np.zeros((3, *batch))
+        self._spent, self._pulses, self._out = np.zeros((3, *batch))
         self._least = np.full(batch, np.inf)
         self._most, self._lateral, self._across, self._angle, self._turn = np.zeros((5, *batch))
-        self._out, self._nominal_distance = np.full((2, *batch), np.nan)
-        self._out = np.zeros(batch)
+        self._nominal_distance = np.full(batch, np.nan)
 
     def follow(self, k: int, truth: Any) -> None:
         """Take the truth of step k, every step in order."""

@@ -15,7 +15,7 @@ from rvd_dynamics.geometry.pinhole import CameraParams, require_markers
 from rvd_dynamics.motion import attitude
 from rvd_dynamics.onboard.control.allocation import Allocation, Shares, WAYS
 from rvd_dynamics.onboard.control.six_loops import (
-    attitude_loop, Design, LoopParams, require_design, SixLoops)
+    AttitudeLoopParams, Design, LoopParams, require_design, SixLoops)
 from rvd_dynamics.onboard.navigation.filters import FilterParams, Navigation as Filters
 from rvd_dynamics.onboard.navigation.vision import Vision as Poses, VisionParams
 from rvd_missions.docking import markers
@@ -84,7 +84,7 @@ class ControllerParams:
 
     profile: ProfileParams = param(ProfileParams, 'The way to the port.')
     position: LoopParams = param(LoopParams, 'Loops of the position.')
-    attitude: LoopParams = param(attitude_loop, 'Loops of the attitude.')
+    attitude: AttitudeLoopParams = param(AttitudeLoopParams, 'Loops of the attitude.')
     allocation: str = param('table', 'How thrusters are chosen.', choices=tuple(WAYS))
     failed: tuple = param((-1,), 'Numbers of thrusters known to have failed; -1 is none.', low=-1,
                           high=36)

@@ -1,9 +1,9 @@
 """
 The first of the paper's planners: a velocity profile of fast approach, deceleration and docking.
 
-Along x the distance of the faces falls with trapezoids of speed: up to the fast one, down to that of
-docking, down to rest; how long the fast one lasts follows from the time that is left. Across, the
-offset falls by a cubic. Source: An, Qu, Wang 2015, section 2.3 (1); numbers assumed.
+Along x the distance of the faces falls with trapezoids of speed: up to the fast one, down to that
+of docking, down to rest; how long the fast one lasts follows from the time that is left. Across,
+the offset falls by a cubic. Source: An, Qu, Wang 2015, section 2.3 (1); numbers assumed.
 """
 
 import numpy as np
@@ -59,8 +59,9 @@ class Profile:
         long = (way - ramp_way - dock*rest)/(fast - dock)       # at the fast speed
         for i in np.flatnonzero(~((long >= 0.0) & (long <= rest))):
             low, high = ramp_way + dock*max(rest, 0.0), ramp_way + fast*max(rest, 0.0)
-            raise BadInput(f'profile: a way of {way[i]:.4g} m cannot be gone in {seconds:.4g} s with '
-                           f'fast_m_s {fast:g} and dock_m_s {dock:g}: only {low:.4g} to {high:.4g} m')
+            raise BadInput(f'profile: a way of {way[i]:.4g} m cannot be gone in {seconds:.4g} s '
+                           f'with fast_m_s {fast:g} and dock_m_s {dock:g}, but {low:.4g} to '
+                           f'{high:.4g} m')
         self._start, self._lateral, self._distance = start, s.lateral_s, distance
         # ends of the five parts (N, 6), speed at each, and the way gone
         spans = np.stack([np.full_like(long, ramps[0]), long, np.full_like(long, ramps[1]),

@@ -40,9 +40,12 @@ class LoopParams:
         return self.modulator.on_threshold/self.gain
 
 
-def attitude_loop() -> LoopParams:
-    """Return the default loop of an attitude axis."""
-    return LoopParams(gain=50.0, derivative_s=3.0)
+@settings
+class AttitudeLoopParams(LoopParams):
+    """The same for attitude."""
+
+    gain: float = param(50.0, 'Gain K, of an error in radians.', above=0.0, high=1e5)
+    derivative_s: float = param(3.0, 'Derivative time T_d [s].', low=0.0, high=1000.0)
 
 
 class SixLoops:
