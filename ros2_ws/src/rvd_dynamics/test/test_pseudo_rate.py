@@ -174,7 +174,8 @@ def test_the_recommended_gains_keep_the_rules():
 @pytest.mark.parametrize('changed, rules, words', [
     ({'gain': 7.0}, {}, 'position.gain: the dead band .* must be below 0.04, got 0.0428'),
     ({'modulator': ModulatorParams(off_threshold=0.25)}, {}, 'shortest pulse .* got 0.0256'),
-    ({'modulator': ModulatorParams(time_constant_s=0.6)}, {}, '1/T_F must .* 1.15 away from 1.571 .* got 1.667 rad/s'),
+    ({'modulator': ModulatorParams(time_constant_s=0.6)}, {},
+     '1/T_F must .* 1.15 away from 1.571 .* got 1.667 rad/s'),
     ({'derivative_s': 0.0}, {'delay_s': 0.4}, 'must lead by 20 degrees at 0.25 rad/s'),
     ({'modulator': ModulatorParams(time_constant_s=0.005)}, {'least_on_s': 0.0},
      'at least one step, 0.01 s, got 0.005')])

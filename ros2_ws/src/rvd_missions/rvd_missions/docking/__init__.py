@@ -13,6 +13,7 @@ MISSION = Mission(
     name='docking',
     title='A chaser with panels and sloshing tanks hovers 7 cm before the port of its target.',
     shared=(
+        Shared('run', f'{SETTINGS}:Run'),
         Shared('orbit', f'{SETTINGS}:OrbitParams', 'orbit.'),
         Shared('chaser', f'{SETTINGS}:Chaser', 'chaser.'),
         Shared('panels', f'{SETTINGS}:Panels', 'panels.'),

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rvd_dynamics.diagram.params import param, require, settings
-from rvd_dynamics.diagram.run import Run
+from rvd_dynamics.diagram.run import Run as AnyRun
 from rvd_dynamics.diagram.time_grid import whole_steps
 from rvd_dynamics.motion import attitude
 from rvd_dynamics.motion.orbit import OrbitParams as Orbit
@@ -18,6 +18,16 @@ from rvd_missions.docking.markers import CHASER_PORT, TARGET_PORT
 
 Array = NDArray[np.float64]
 LATEST_S = 86400.0
+
+
+@settings
+class Run(AnyRun):
+    """Time grid, random seed and pace of a run: steps of 10 ms."""
+
+    step_s: float = param(0.01, 'Base step of the diagram [s].', low=0.001, high=10.0)
+    timeout_s: float = param(
+        300.0, 'Simulated time after which the run ends at the latest [s].', above=0.0,
+        high=86400.0)
 
 
 @settings
