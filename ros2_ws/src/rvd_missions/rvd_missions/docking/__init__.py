@@ -45,4 +45,5 @@ MISSION = Mission(
     checked=('timed', 'period', 'late'),
     diagram=f'{HERE}.diagram:diagram',
     judge=f'{HERE}.judge:Judge',
+    figures=f'{HERE}.figures:FIGURES',
 )
