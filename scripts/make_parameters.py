@@ -61,10 +61,10 @@ def filled(path: Path) -> str:
     text = path.read_text(encoding='utf-8')
     if not PARAMETERS.search(text):
         return text
-    home, parts = f'rvd_missions.{path.stem}.', []
+    there, parts = {cls for classes in sections().values() for _, cls in classes}, []
     for name, classes in sections_of(find(path.stem)).items():
         for prefix, cls in classes:
-            if cls.__module__.startswith(home) or 'types' == cls.__module__:
+            if cls not in there:
                 parts.append(f'\n`{name}`: {summary(cls)}\n\n{table(prefix, cls)}')
     return PARAMETERS.sub(lambda _: ''.join(parts) + '\n', text)
 

@@ -57,6 +57,12 @@ SCENARIOS = {
                           'stick.layout is given twice'),
     'empty mapping': ('"/**": {ros__parameters: {seed: {}}}', 'seed holds nothing'),
     'bomb': ('a: &a [1]\nb: [*a, *a]', 'aliases'),
+    'gain of the wrong sign': ('auto_controller: {ros__parameters: {law: odrrca, odrrca: {k: 0.5}}}',
+                               'odrrca.k must be negative: the range follows exp(k n t)'),
+    'attraction that repels': ('auto_controller: {ros__parameters: {safe_apf: {attraction: -1.0}}}',
+                               'safe_apf.attraction must be above 0 and at most 100, got -1.0'),
+    'aim before the plane': ('auto_controller: {ros__parameters: {safe_apf: {aim: {beyond_m: -1}}}}',
+                             'safe_apf.aim.beyond_m must be between 0 and 1000, got -1'),
     'bad link file': ('link_back: {ros__parameters: {model: empirical, empirical: {file: nil}}}',
                       'nil cannot be read'),
 }

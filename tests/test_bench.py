@@ -43,14 +43,26 @@ def test_cost_is_counted_between_two_steps_in_flight(monkeypatch):
     meter = graph.Meter()
     for step in (16, graph.WARM_UP_STEPS, graph.WARM_UP_STEPS + 400, graph.WARM_UP_STEPS + 1000):
         meter.note(step, {'a': 7, 'b': 8})
-    result = meter.result()
+    result = meter.result(1000)
     assert result == {'steps': 1000, 'steps_per_s': 250.0, 'cpu_us_per_step': 900.0,
                       'by_node': {'a': 500.0, 'b': 400.0}}
 
 
 def test_a_flight_that_is_too_short_is_refused():
-    with pytest.raises(ValueError, match='too short'):
-        graph.Meter().result()
+    with pytest.raises(graph.Unheard, match='too short.*: 0 of at least 64 steps'):
+        graph.Meter().result(64)
+
+
+def test_a_flight_that_was_heard_too_late_is_refused_and_flown_again(monkeypatch):
+    monkeypatch.setattr(graph, 'cpu_s', lambda pid: 1.0)
+
+    def flown(attempt):
+        meter = graph.Meter()
+        for step in range(96 + 16*(6 - attempt), 96 + 144 + 1, 16):         # 48, 64, 80 ...
+            meter.note(step, {'a': 7})
+        return meter.result(graph.LEAST_STEPS['one']), attempt
+    made, attempt = graph.heard(flown)
+    assert (made['steps'], attempt) == (64, 1)
 
 
 def test_steps_that_come_late_are_no_measurement():

@@ -283,7 +283,7 @@ for shared in {shared!r}:
     for block in scenario.diagram.blocks:
         if block.segment != {segment!r} or not block.in_graph:
             continue
-        own = {{'batch': (), 'block': block, 'wanted': everything(block),
+        own = {{'batch': (), 'runs': [0], 'block': block, 'wanted': everything(block),
                'settings': scenario.settings(block.section),
                **{{n: d.of_run(0, 0, 401) for n, d in block.draws.items()}}}}
         made(block.make, lambda name: own[name] if name in own else scenario.part(name), block.name)

@@ -1,7 +1,7 @@
 """
 The one command: `./rvd CMD` comes here for everything that is Python.
 
-Exit codes: 0 done (for `fly`: docked), 1 flown and failed, 2 could not run, 3 a fault of this
+Exit codes: 0 done (for `fly`: success), 1 flown and failed, 2 could not run, 3 a fault of this
 software, 130 Ctrl-C. Bad input is one line on stderr and exit code 2; a fault keeps its traceback.
 """
 
@@ -92,7 +92,7 @@ def _add_fly(commands: argparse._SubParsersAction) -> None:
         'fly', help='fly one approach over DDS',
         description='Bring up the node graph, fly one approach, print the verdict and leave a run '
                     'folder with bag/, verdict.json, scenario.yaml, report.html and logs/.',
-        epilog='Exit codes: 0 docked, 1 flown and failed, 2 could not run, 3 a fault of this '
+        epilog='Exit codes: 0 success, 1 flown and failed, 2 could not run, 3 a fault of this '
                'software, 130 Ctrl-C.')
     fly.add_argument('scenario', nargs='?', metavar='SCENARIO',
                      help='name from `rvd list scenarios`, or a file (default: paper; with '

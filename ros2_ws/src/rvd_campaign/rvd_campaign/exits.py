@@ -7,7 +7,7 @@ from pathlib import Path
 
 from rvd_dynamics.bad_input import one_line
 
-EXIT_DONE = 0                   # for `fly`: docked
+EXIT_DONE = 0                   # for `fly`: success
 EXIT_FAILED = 1                 # flown and failed
 EXIT_CANNOT = 2                 # could not run
 EXIT_FAULT = 3                  # a fault of this software, with its traceback

@@ -16,7 +16,7 @@ import numpy as np
 import pyarrow.parquet
 import pytest
 
-from rvd_campaign.campaign import engine, results
+from rvd_campaign.campaign import engine, results, software
 from rvd_campaign.campaign.engine import (
     check_same, fly_campaign, KEPT, open_folder, PARTS, RESULTS, sole_writer, start, Workers)
 from rvd_campaign.campaign.progress import clock, Progress
@@ -131,7 +131,7 @@ def test_terminal_position_fits_the_offset_and_failures_have_time_and_place(once
 
 def test_columns_of_the_table_are_those_that_the_mission_orders(once):
     for _, table in results.tables(once[0] / RESULTS):
-        assert list(table) == list(columns.ORDER)
+        assert list(table) == [name for name in columns.ORDER if not name.endswith('?')]
         assert [results.kind_of(*column) for column in table.items()] == (
             ['i8', '?', 'U'] + ['f8']*14 + ['i8']*6)
 
@@ -284,8 +284,8 @@ def test_a_scenario_travels_light_and_arrives_as_it_was():
 def test_sources_of_the_mission_count(monkeypatch):
     campaign = parse_campaign(TEXT, 'small')
     own = replace(campaign.mission, name='other', diagram='statistics:diagram')
-    assert engine.code_hash(campaign.mission) != engine.code_hash(own)
-    assert engine.software(campaign.mission)[1:] == tuple(engine.versions().values())
+    assert software.code_hash(campaign.mission) != software.code_hash(own)
+    assert software.software(campaign.mission)[1:] == tuple(software.versions().values())
 
 
 LOADED = """
@@ -306,7 +306,7 @@ def test_every_module_that_the_loop_loads_counts(tmp_path):
     done = subprocess.run([sys.executable, '-c', LOADED, str(tape)], check=True,
                           capture_output=True, text=True)
     counted = {path.resolve() for _, path in
-               engine.sources(*engine._places(parse_campaign(TEXT, 'small').mission))}
+               software.sources(parse_campaign(TEXT, 'small').mission)}
     loaded = {Path(file).resolve() for file in done.stdout.split()}
     assert len(loaded) > 60 and not loaded - counted
 
@@ -318,14 +318,15 @@ EDITED = {
     'rvd_missions/lunar_approach/display.py': False, 'rvd_missions/lunar_approach/judge.py': True,
     'rvd_dynamics/motion/cw.py': True, 'rvd_groundstation/guidance/barrier.py': True,
     'rvd_groundstation/operators/tape.py': True, 'rvd_dynamics/diagram/in_process.py': True,
-    'rvd_missions/lunar_approach/columns.py': True}
+    'rvd_missions/lunar_approach/columns.py': True,
+    'rvd_missions/attitude_hold/judge.py': False, 'rvd_missions/obstacle_field/space.py': False}
 
 
 @pytest.mark.parametrize('edited, counts', EDITED.items())
 def test_a_campaign_is_another_one_after_an_edit_of_what_makes_its_numbers(
         edited, counts, monkeypatch):
     mission = parse_campaign(TEXT, 'small').mission
-    before, read_bytes = engine.code_hash(mission), Path.read_bytes
+    before, read_bytes = software.code_hash(mission), Path.read_bytes
     met = []
 
     def with_edit(path):
@@ -334,8 +335,23 @@ def test_a_campaign_is_another_one_after_an_edit_of_what_makes_its_numbers(
             return read_bytes(path) + b'# edited'
         return read_bytes(path)
     monkeypatch.setattr(Path, 'read_bytes', with_edit)
-    monkeypatch.setattr(engine, '_code_hash', engine._code_hash.__wrapped__)
-    assert (engine.code_hash(mission) != before) == bool(met) == counts
+    monkeypatch.setattr(software, '_code_hash', software._code_hash.__wrapped__)
+    assert (software.code_hash(mission) != before) == bool(met) == counts
+
+
+def test_of_the_missions_beside_it_those_that_a_mission_names_count(tmp_path, monkeypatch):
+    monkeypatch.syspath_prepend(tmp_path)
+    for folder in ('', 'mine', 'named', 'other'):
+        (tmp_path / 'set_of_missions' / folder).mkdir(exist_ok=True)
+        (tmp_path / 'set_of_missions' / folder / '__init__.py').touch()
+    (tmp_path / 'set_of_missions/mine/diagram.py').write_text(
+        'from set_of_missions.named.laws import Law\n')
+    (tmp_path / 'set_of_missions/named/laws.py').write_text('class Law: ...\n')
+    mine = replace(parse_campaign(TEXT, 'small').mission, name='mine', figures='', display='',
+                   diagram='set_of_missions.mine.diagram:diagram')
+    assert {name for name, _ in software.sources(mine) if name.startswith('set_')} == {
+        f'set_of_missions/{name}.py' for name in (
+            '__init__', 'mine/__init__', 'mine/diagram', 'named/__init__', 'named/laws')}
 
 
 def test_figures_that_the_loop_uses_count_after_all(tmp_path, monkeypatch):
@@ -348,7 +364,7 @@ def test_figures_that_the_loop_uses_count_after_all(tmp_path, monkeypatch):
     odd = replace(parse_campaign(TEXT, 'small').mission, name='odd',
                   diagram='odd_mission.diagram:diagram', figures='odd_mission.figures:FIGURES',
                   display='odd_mission.display:display')
-    assert {name for name, _ in engine.sources(*engine._places(odd)) if name.startswith('odd_')} == {
+    assert {name for name, _ in software.sources(odd) if name.startswith('odd_')} == {
         'odd_mission/__init__.py', 'odd_mission/diagram.py', 'odd_mission/figures.py'}
 
 

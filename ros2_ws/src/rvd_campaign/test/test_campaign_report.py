@@ -11,6 +11,7 @@ import xml.etree.ElementTree
 import matplotlib
 import numpy as np
 import pytest
+from scipy.stats import ttest_rel
 
 from rvd_campaign.campaign import results
 from rvd_campaign.campaign.engine import fly_campaign, RESULTS, start, Workers
@@ -40,7 +41,7 @@ fitted: {'manual,loop_delay_s=10': it was fitted to <this>}
 reference:
   paper: {condition: 'manual,loop_delay_s=10', at: 10, runs: 100, successes: 76,
           means: {offset_m: 0.1444}}
-figures: [success, curve, landing, tracks, failures, replicates]
+figures: [success, curve, landing, tracks, failures, comparison, replicates]
 notes: [a note & more]
 '''
 
@@ -62,6 +63,12 @@ def made(folder):
     campaign = parse_campaign(TEXT.lstrip(), 'pages')
     tables = dict(results.tables(folder / RESULTS, needed(campaign)))
     return Results(campaign, summary, tables)
+
+
+@pytest.fixture(scope='module')
+def whole(folder):
+    """The result table with all its columns, by condition."""
+    return dict(results.tables(folder / RESULTS))
 
 
 @pytest.fixture(scope='module')
@@ -87,10 +94,11 @@ def test_ids_of_figures_do_not_meet(html):
 
 
 def test_page_shows_every_figure_and_table(html):
-    assert html.count('<svg') == 6
-    assert list(FIGURES) == ['success', 'curve', 'replicates', 'landing', 'tracks', 'failures']
-    for figure in FIGURES.values():
-        assert figure.title in html
+    assert html.count('<svg') == 7
+    assert list(FIGURES) == ['success', 'curve', 'replicates', 'landing', 'tracks', 'failures',
+                             'comparison', 'cluttered']
+    for name, figure in FIGURES.items():        # without obstacles there is nothing to be among
+        assert (figure.title in html) == (name != 'cluttered')
     for words in ('Differences', 'How runs ended', 'Who decided', 'How to reproduce',
                   'Campaign file', 'paper', '0.1444'):
         assert words in html
@@ -111,6 +119,28 @@ def test_intervals_of_the_page_are_those_of_the_summary(html, made):
     for c in made.summary['conditions']:
         low, high = c['wilson95']
         assert f'{low:.4f} \u2013 {high:.4f}' in html
+
+
+def test_paired_differences_of_measures_are_over_the_runs_that_succeed_in_both(html, made, whole):
+    d, = made.summary['differences']
+    a, b = (whole[d[key]] for key in 'ab')
+    both = a['success'] & b['success']
+    assert d['both'] == both.sum() > 2
+    for name in ('delta_v_m_s', 'duration_s', 'min_corridor_margin_m'):
+        found = d['measures'][name]
+        expected = ttest_rel(a[name][both], b[name][both])
+        np.testing.assert_allclose(found['difference'], (a[name] - b[name])[both].mean())
+        np.testing.assert_allclose(found['paired95'], expected.confidence_interval(0.95))
+    low, high = d['measures']['delta_v_m_s']['paired95']
+    assert f'{low:+.4f} \u2026 {high:+.4f}' in html and 'the runs in which both succeed' in html
+
+
+def test_the_mean_time_of_a_condition_is_over_its_successes(html, made, whole):
+    for c in made.summary['conditions']:
+        table = whole[c['name']]
+        mean = table['duration_s'][table['success']].mean()
+        np.testing.assert_allclose(c['duration_s']['mean'], mean)
+        assert f'<td>{mean:.1f}<br>' in html
 
 
 def test_terminal_table_marks_what_was_fitted(made):

@@ -12,7 +12,10 @@ from rvd_campaign.campaign.spec import (
 from rvd_campaign.catalogue import entries
 from rvd_groundstation.operators.pilot import PILOTS
 
-SHIPPED = ['delay', 'ellipse', 'eta', 'loss', 'replicates', 'table3', 'variants']
+SHIPPED = [
+    'attitude', 'attitude_delay', 'cluttered', 'delay', 'ellipse', 'eta', 'laws', 'laws_published', 'laws_rough',
+    'loss', 'obstacle_corridor', 'obstacle_moving', 'obstacle_moving_spread', 'obstacle_smooth',
+    'obstacle_static', 'obstacle_static_spread', 'obstacle_thrust', 'replicates', 'table3', 'variants']
 
 
 def test_conditions_times_grid():

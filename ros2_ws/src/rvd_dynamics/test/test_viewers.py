@@ -141,6 +141,18 @@ def test_what_stands_still_in_a_scene_is_drawn_where_it_is():
     assert target.color.a > 0.5 > arrival.color.a and target.header.frame_id == 'target_lvlh'
 
 
+def test_obstacles_that_stand_still_have_the_colour_of_obstacles_beside_the_corridor():
+    scenario = load(CONFIG.parent / 'scenarios' / 'cluttered.yaml')
+    field = loaded(scenario.mission.scene)(scenario)
+    assert field.corridor
+    places = scenario.part('obstacles').places(scenario.run.seed, [scenario.run.run], ())
+    balls = markers.still_spheres(field, 'target_lvlh').markers
+    assert [[b.pose.position.x, b.pose.position.y, b.pose.position.z] for b in balls] == places.tolist()
+    assert [b.scale.x for b in balls] == pytest.approx([0.8, 0.6])
+    for b in balls:
+        assert (b.color.r, b.color.g, b.color.b) == pytest.approx(markers.OBSTACLE)
+
+
 @pytest.mark.parametrize('name, shown', [
     ('paper', {'/viz/corridor', '/viz/control_boundary'}),
     ('obstacles_moving', {'/viz/target', '/viz/obstacles'})])

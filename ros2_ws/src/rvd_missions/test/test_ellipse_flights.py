@@ -17,11 +17,11 @@ from test_limit_cycles import slope
 
 from rvd_dynamics.diagram.in_process import fly
 from rvd_dynamics.diagram.scenario import load
+from rvd_groundstation.guidance.range_rate import line_of_sight, LineOfSight, state_of
 from rvd_missions.elliptic_rendezvous import laws
 from rvd_missions.elliptic_rendezvous.gains import CycleCase
 from rvd_missions.elliptic_rendezvous.judge import Judge
-from rvd_missions.elliptic_rendezvous.laws import line_of_sight, LineOfSight, state_of
-from rvd_missions.elliptic_rendezvous.signals import GUIDANCE, THRUST, TRUTH
+from rvd_missions.elliptic_rendezvous.signals import GUIDANCE, TRUTH
 
 ROOT = Path(__file__).resolve().parents[4]
 NEAR = {'start.range_m': 200.0, 'start.range_rate_m_s': -0.1216, 'step_s': 4.0}
@@ -75,6 +75,18 @@ def test_the_direction_follows_its_equation(law, direction, case):
     assert_allclose(2.0*pi*flight['arrival_orbits']*0.5 - turned, np.log(4.0), rtol=0.01)
 
 
+@pytest.mark.parametrize('form,engines', [
+    ('rate_limited', {'max_m_s2': 0.002, 'ramp_s': 60.0, 'reading': 'rate2'}),
+    ('pulses', {'max_m_s2': 0.01}), ('bang_bang', {'max_m_s2': 0.0005})])
+def test_thrusters_of_every_form_carry_the_law_out(form, engines):
+    usual = flown(**NEAR)
+    flight = flown(**NEAR, **{'thrust.form': form}, **{
+        f'thrust.{form}.{key}': value for key, value in engines.items()})
+    assert flight.reason == 'arrived'
+    steps = min(len(flight.t), len(usual.t))
+    assert 0.0 < np.abs(flight.los.range[:steps] - usual.los.range[:steps]).max() < 10.0
+
+
 def test_the_combined_mode_holds_the_range_and_turns_to_the_direction():
     flight = flown('ellipse_combined', **{
         'start.range_m': 60.0, 'start.range_rate_m_s': -0.036, 'timeout_s': 4500.0, 'step_s': 4.0,
@@ -113,7 +125,7 @@ def test_a_row_has_the_same_bits_alone_and_in_a_batch(thrusters):
         'guidance.law': 'odrrca', 'forward_delay_s': 4.0, 'back_delay_s': 4.0})
     made = made.with_values('relative_sensor', position_sigma_m=0.1, velocity_sigma_m_s=1e-3)
     made = made.with_values('spacecraft_dynamics', execution_noise_fraction=0.01)
-    topics = [TRUTH.name, GUIDANCE.name, THRUST.name]
+    topics = [TRUTH.name, GUIDANCE.name, made.diagram.thrust]
     together, alone = fly(made, range(5), record=topics), fly(made, [3], record=topics)
     assert np.ptp(together.history[TRUTH.name].state[0, :, 0]) > 10.0       # other starts
     for topic in topics:

@@ -15,7 +15,7 @@ from rvd_dynamics.geometry.cone import Cone
 from rvd_dynamics.motion.orbit import OrbitParams
 from rvd_dynamics.world.plants.relative import Cw
 from rvd_missions.lunar_approach.end import ended
-from rvd_missions.lunar_approach.judge import Judge, REASONS
+from rvd_missions.lunar_approach.judge import AMONG, Judge, REASONS
 from rvd_missions.lunar_approach.settings import DockingParams
 
 H = 0.5                                             # [s] step
@@ -129,7 +129,7 @@ def test_the_lateral_rate_must_stay_below_its_limit():
 
 def test_the_reasons_are_those_of_the_message():
     assert REASONS.tolist() == ['', 'docked', 'invalid', 'left_corridor', 'closing_rate',
-                                'offset', 'lateral_rate', 'timeout']
+                                'offset', 'lateral_rate', 'timeout', 'contact', 'deadlock']
 
 
 # -- the corridor -----------------------------------------------------------------------------
@@ -486,7 +486,7 @@ def test_limits_and_reasons_are_those_of_the_settings():
     limits = {m.name: (m.low, m.high) for m in judge.measures}
     assert limits['x_rate_m_s'] == (0.0, 0.2) and limits['lateral_rate_m_s'][1] == 0.05
     assert limits['offset_m'][1] == 0.4 and limits['min_corridor_margin_m'][0] == 0.0
-    assert set(Judge.reasons) == set(REASONS.tolist()) - {''}
+    assert {*Judge.reasons, *AMONG} == set(REASONS.tolist()) - {''}
 
 
 # -- the end of a run, which plant and judge agree on ------------------------------------------

@@ -45,6 +45,7 @@ MAX_CPU_OF_BEFORE = 1.0
 MIN_STEPS_PER_S = 120.0         # 12 times real time at ten steps a second
 MIN_SPEED = {'segments': 2.0, 'one': 8.0}       # steps per second, times those of `blocks`
 LOCKSTEP = {'pace': 'lockstep', 'operator': 'model', 'joy_input': 'stepped'}
+LEAST_STEPS = {'blocks': 128, 'bare': 112, 'segments': 64, 'one': 64}       # to be measured
 ATTEMPTS = 4                    # a flight of a second may be over before it is discovered
 FRESH_NS = 100_000_000          # [ns] wall time after which a step is old news
 PATIENCE_S = 120.0              # [s] wall time for one flight, start included
@@ -69,19 +70,19 @@ class Meter:
             self.times.append(time.monotonic())
             self.used.append({name: cpu_s(pid) for name, pid in pids.items()})
 
-    def result(self) -> dict:
+    def result(self, least: int) -> dict:
         """
         Return steps, steps per second and CPU time per step, by node and all together.
 
         Raises
         ------
         ValueError
-            If fewer than two notes were taken.
+            If fewer than `least` steps lie between the first note and the last.
         """
-        if len(self.steps) < 2:
-            raise Unheard(f'the flight is too short to measure, or was heard too late: it must '
-                          f'last for more than {WARM_UP_STEPS + 32} steps')
-        steps = self.steps[-1] - self.steps[0]
+        steps = self.steps[-1] - self.steps[0] if self.steps else 0
+        if steps < least:
+            raise Unheard(f'the flight is too short to measure, or was heard too late: {steps} of '
+                          f'at least {least} steps after the first {WARM_UP_STEPS}')
         by_node = {name: round(1e6 * (self.used[-1][name] - before) / steps, 1)
                    for name, before in self.used[0].items()}
         return {'steps': steps,
@@ -235,18 +236,20 @@ def measure(repeats: int = 5, name: str = SCENARIO, before: Checkout | None = No
             paths['before'] = Path(top) / 'before.yaml'
             paths['before'].write_text(before.scenario(name, **LOCKSTEP), encoding='utf-8')
         for repeat in range(repeats):
-            meter, folder = heard(lambda attempt: _flown(
+            made, last, folder = heard(lambda attempt: _flown(
                 paths['blocks'], Path(top) / f'run{repeat}.{attempt}', domain))
             messages.write_text(json.dumps(sent(folder, roster)), encoding='utf-8')
-            ours.append(meter.result())
-            bare.append(fly_bare(paths['blocks'], meter.steps[-1], roster, messages,
-                                 domain).result())
+            ours.append(made)
+            bare.append(heard(lambda _: fly_bare(
+                paths['blocks'], last, roster, messages, domain).result(LEAST_STEPS['bare'])))
             if before is not None:
                 others.append(heard(lambda attempt: fly_before(
-                    before, paths['before'], folder / f'before{attempt}', domain).result()))
+                    before, paths['before'], folder / f'before{attempt}', domain).result(
+                        LEAST_STEPS['blocks'])))
             for processes, flown in fewer.items():
                 flown.append(heard(lambda attempt: fly_ours(
-                    paths[processes], folder / f'{processes}{attempt}', domain).result()))
+                    paths[processes], folder / f'{processes}{attempt}', domain).result(
+                        LEAST_STEPS[processes])))
     speed = median(o['steps_per_s'] for o in ours)
     compared = {} if before is None else {
         'before': others, 'cpu_of_before': round(median(
@@ -264,8 +267,9 @@ def measure(repeats: int = 5, name: str = SCENARIO, before: Checkout | None = No
             'step_s': base.run.step_s}
 
 
-def _flown(scenario: Path, folder: Path, domain: int) -> tuple[Meter, Path]:
-    return fly_ours(scenario, folder, domain), folder
+def _flown(scenario: Path, folder: Path, domain: int) -> tuple[dict, int, Path]:
+    meter = fly_ours(scenario, folder, domain)
+    return meter.result(LEAST_STEPS['blocks']), meter.steps[-1], folder
 
 
 def heard(fly: Callable[[int], Any]) -> Any:

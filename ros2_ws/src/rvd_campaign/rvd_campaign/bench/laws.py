@@ -21,6 +21,7 @@ from rvd_dynamics.diagram.scenario import load, Scenario
 
 BATCH = 1000
 ROWS = 2000                     # of random covariances
+POINTS = 60                     # of a branch
 
 
 class Goal(NamedTuple):
@@ -102,13 +103,50 @@ def _flight_s() -> float:
         return time.perf_counter() - begun
 
 
-MEASURES: tuple[Callable[[bool], dict[str, float]], ...] = (obstacles,)
+def cycles(quick: bool) -> dict[str, float]:
+    """Time limit cycles over eccentricities and gains, and a branch of POINTS points."""
+    from rvd_missions.elliptic_rendezvous.gains import CycleCase
+    from rvd_missions.elliptic_rendezvous.limit_cycles import cycle, follow
+    cases = [CycleCase(law=law, e=e, k2=k2) for law in ('rrca', 'odrrca') for k2 in (0.0, -0.5)
+             for e in ((0.1, ) if quick else (0.05, 0.1, 0.2, 0.3))]
+    cycle(cases[0])
+    follow(cases[0], 'e', 0.0, 0.01, 3)
+    each = []
+    for case in cases:
+        begun = time.process_time()
+        cycle(case)
+        each.append(1e3 * (time.process_time() - begun))
+    begun = time.process_time()
+    branch = follow(CycleCase(form='r2', k1=0.5), 'e', 0.0, 0.9)    # through its fold
+    spent = time.process_time() - begun
+    return {'cycle_ms': float(np.mean(each)), 'cycle_slowest_ms': max(each),
+            'branch_s': POINTS * spent / len(branch.at)}
+
+
+def batches(quick: bool) -> dict[str, float]:
+    """Fly the laws of the other missions in batches."""
+    made = {}
+    for name, section, keys in (
+            ('ellipse', '/**', {'start__range_sigma_m': 100.0, 'timeout_s': 600.0}),
+            ('attitude', 'attitude_controller', {})):
+        scenario = load(catalogue.find('scenarios', name, ('.yaml',))).with_values(section, **keys)
+        fly(scenario, [0])
+        made[f'{name}_steps_per_core_s'] = _rate(scenario, BATCH // 4 if quick else BATCH)
+    return made
+
+
+MEASURES: tuple[Callable[[bool], dict[str, float]], ...] = (obstacles, batches, cycles)
 GOALS = {
     'obstacle_steps_per_core_s': Goal(
         f'obstacles: run-steps per core-second, batch of {BATCH}', low=240_000),
+    'ellipse_steps_per_core_s': Goal(f'ellipse: run-steps per core-second, batch of {BATCH}'),
+    'attitude_steps_per_core_s': Goal(f'attitude: run-steps per core-second, batch of {BATCH}'),
     'collision_us': Goal('collision probability, any covariance', 'us', high=120),
     'alarm_us': Goal('  an alarm by it, with bounds first', 'us'),
     'alarm_decided_by_bounds': Goal('  share of alarms that bounds decide'),
     'obstacle_flight_s': Goal('fly obstacles --headless --pace lockstep --processes one', 's',
                               high=8),
+    'cycle_ms': Goal('one limit cycle, mean over cases', 'ms', high=10),
+    'cycle_slowest_ms': Goal('  the slowest of them', 'ms', high=10),
+    'branch_s': Goal(f'a branch of limit cycles through a fold, for {POINTS} points', 's', high=2),
 }

@@ -27,6 +27,7 @@ from numpy.typing import NDArray
 from rvd_campaign import catalogue
 from rvd_campaign.campaign import engine, stats
 from rvd_campaign.campaign.results import Stretch, Table
+from rvd_campaign.campaign.software import software
 from rvd_campaign.exits import CannotRun, check_file, EXIT_DONE
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.params import flatten
@@ -75,7 +76,7 @@ class Bench:
 
     def look(self, *pilots: PilotParams) -> list[Look]:
         """Return what each pilot does."""
-        code = engine.software(self.scenario.mission)
+        code = software(self.scenario.mission)
         parts = [Stretch(0, first, min(BATCH, self.runs - first))
                  for first in range(0, self.runs, BATCH)]
         scenarios = [self._with(pilot) for pilot in pilots]

@@ -13,7 +13,6 @@ Workers joblib's: processes of this machine (loky), or a Dask or Ray cluster. On
 import errno
 import fcntl
 import hashlib
-import importlib.metadata
 import importlib.util
 import itertools
 import json
@@ -36,10 +35,10 @@ import joblib
 from rvd_campaign.campaign import results
 from rvd_campaign.campaign.progress import Progress
 from rvd_campaign.campaign.results import Stretch, Table
+from rvd_campaign.campaign.software import code_hash, MATTERS, software, versions
 from rvd_campaign.campaign.spec import Campaign, CampaignError, from_dict
 from rvd_dynamics import lifeline
 from rvd_dynamics.diagram.in_process import draw, draws_key, fly
-from rvd_dynamics.diagram.mission import Mission
 from rvd_dynamics.diagram.scenario import Scenario, ScenarioError
 from rvd_dynamics.recording import whole
 
@@ -49,18 +48,6 @@ SMALL_BATCH = 250               # runs; fewer are not parted further to give eac
 TOGETHER = 4                    # conditions that share the draws of their runs, at most
 SPARE_BYTES = 8 << 20           # of disk, for summary and report
 FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
-MATTERS = ('numpy', 'scipy', 'filterpy')        # packages whose version may move a last bit
-SOURCES = ('.py', '.c', '.h')
-# What a run in process loads of ours, by package; nodes, console and reports change no number.
-LOOP = {
-    'rvd_dynamics': (
-        'bad_input.py', 'commands', 'constants.py', 'diagram', 'frames.py', 'geometry', 'link', 'motion', 'onboard',
-        'world', *(f'recording/{name}.py' for name in (     # of these, what reads a tape
-            '__init__', 'mcap_file', 'messages', 'params', 'rosbag2', 'sqlite_file',
-            'whole'))),
-    'rvd_groundstation': (
-        'guidance', 'joystick/__init__.py', 'joystick/params.py', 'operators', 'prediction', 'settings.py', 'sharing')}
-NO_LOOP = ('diagram/display', 'diagram/ros', 'diagram/roster.py')   # left out of the above
 
 
 @dataclass(frozen=True)
@@ -81,69 +68,6 @@ def default_workers() -> int:
 
 
 # -- identity --------------------------------------------------------------------------------
-
-def code_hash(mission: Mission) -> str:
-    """Return the hash of the sources that the numbers of a run of a mission depend on."""
-    return _code_hash(*_places(mission))
-
-
-def _places(mission: Mission) -> tuple[str, frozenset[str]]:
-    """Return the package of a mission, and the files that it names for showing something."""
-    shown = (mission.figures, mission.campaign_figures, mission.campaign_notes, mission.display,
-             *mission.short_words.values())
-    return mission.diagram.partition(':')[0].partition('.')[0], frozenset(
-        word.partition(':')[0].replace('.', '/') + '.py' for word in shown)
-
-
-@lru_cache(maxsize=None)
-def _code_hash(package: str, shown: frozenset[str]) -> str:
-    made = hashlib.sha256(Path(results.__file__).read_bytes())
-    for name, path in sources(package, shown):
-        made.update(f'{name}\0'.encode() + path.read_bytes())
-    return made.hexdigest()
-
-
-def sources(package: str, shown: frozenset[str]) -> list[tuple[str, Path]]:
-    """Return names and paths of the ground loop's sources and those of a mission's package."""
-    found = [(name, path) for package_name in LOOP for name, path in _files(package_name)
-             if _in_loop(package_name, name.partition('/')[2])]
-    if package not in LOOP:
-        own = _files(package)
-        found += [(name, path) for name, path in own if not (name in shown and _used_by_none(name, own, shown))]
-    return found
-
-
-def _files(package: str) -> list[tuple[str, Path]]:
-    spec = importlib.util.find_spec(package)
-    if spec.submodule_search_locations is None:             # a module by itself
-        return [(package, Path(spec.origin))]
-    return [(f'{package}/{path.relative_to(folder)}', path)
-            for folder in sorted(map(Path, spec.submodule_search_locations))
-            for path in sorted(folder.rglob('*')) if path.suffix in SOURCES]
-
-
-def _in_loop(package: str, name: str) -> bool:
-    def within(places: tuple[str, ...]) -> bool:
-        return any(name == place or name.startswith(f'{place}/') for place in places)
-    return name == '__init__.py' or within(LOOP[package]) and not within(NO_LOOP)
-
-
-def _used_by_none(name: str, own: list[tuple[str, Path]], shown: frozenset[str]) -> bool:
-    """Say whether no file of a package that makes numbers imports one that shows something."""
-    used = re.compile(rf'^\s*(from|import)\b.*\b{re.escape(Path(name).stem)}\b', re.MULTILINE)
-    return not any(used.search(path.read_text(encoding='utf-8'))
-                   for other, path in own if other not in shown)
-
-
-def software(mission: Mission) -> tuple[str, ...]:
-    """Return what must be equal in every process that flies runs of a mission."""
-    return code_hash(mission), *versions().values()
-
-
-def versions() -> dict[str, str]:
-    """Return the versions of the packages that a run's last bits depend on."""
-    return {name: importlib.metadata.version(name) for name in MATTERS}
-
 
 def identity(campaign: Campaign) -> dict[str, str]:
     """Return what must be equal for two runs of the same number to be the same run."""

@@ -13,13 +13,14 @@ from rvd_campaign.campaign import results, stats
 from rvd_campaign.campaign.engine import open_folder, RESULTS
 from rvd_campaign.campaign.figures import needed, Results, shown_by
 from rvd_campaign.campaign.spec import CampaignError
-from rvd_campaign.campaign.summary import SUMMARY
+from rvd_campaign.campaign.summary import DURATION, SUMMARY
 from rvd_campaign.report.page import Drawn, render
 from rvd_dynamics.recording import whole
 from rvd_dynamics.recording.drawing import CampaignFigure, svg
 
 LONGEST = 60                            # rows of a table that a page shows
 DASH = '\u2013'
+TIME = {'words': 'time', 'unit': 's', 'digits': 1}
 BY = {'pilot': 'pilot alone', 'auto': 'automatic controller alone', 'blend': 'both, blended',
       'nobody': 'nobody', 'changed': 'command differs from the stick'}
 Cell = str | tuple[str, str]            # text, or two lines of it
@@ -76,6 +77,7 @@ def page(made: Results) -> str:
         facts=[('campaign ', campaign.name, ''), ('', len(campaign.conditions), ' conditions'),
                ('', f'{campaign.runs:,}', ' runs each'), ('seed ', campaign.seed, '')],
         conditions=_conditions(summary, campaign.reference), differences=_differences(summary),
+        measured=_measured(summary),
         replicates=_replicates(summary),
         figures=[_figure(name, figure, made) for name, figure in shown_by(campaign).items()],
         endings=_endings(summary, averaged), averaged=bool(averaged), decided=_decided(summary),
@@ -92,15 +94,18 @@ def _conditions(summary: dict[str, Any], reference: dict[str, dict]) -> Table:
     def row(name: str, r: dict[str, Any]) -> list[Cell]:
         low, high = stats.wilson(r['successes'], r['runs'])
         means, errors = r.get('means', {}), r.get('standard_errors', {})
+        flown = r.get('duration_s', {})
         return [name, f'{r["runs"]:,}', f'{r["successes"] / r["runs"]:.4f}',
                 f'{low:.4f} {DASH} {high:.4f}',
+                _mean(flown.get('mean'), flown.get('standard_error'), TIME['digits']),
                 *(_mean(means.get(key), errors.get(key), m['digits'])
                   for key, m in measures.items())]
 
     rows = [('', row(c['name'] + (' \u2020' if c['name'] in summary['fitted'] else ''), c))
             for c in summary['conditions']]
     rows += [('reference', row(label, r)) for label, r in reference.items()]
-    return Table(['condition', 'runs', 'success', '95 % (Wilson)', *_heads(measures)], rows)
+    return Table(['condition', 'runs', 'success', '95 % (Wilson)',
+                  *_heads({DURATION: TIME, **measures})], rows)
 
 
 def _tabled(summary: dict[str, Any]) -> dict[str, dict[str, Any]]:
@@ -133,6 +138,23 @@ def _differences(summary: dict[str, Any]) -> Table:
             for d in summary['differences']]
     return Table(['success rates', 'difference', '95 %, paired', '95 %, unpaired',
                   'only the first : only the second', 'p'], rows)
+
+
+def _measured(summary: dict[str, Any]) -> Table:
+    """Return the paired differences of measures; no rows where a folder is older than they are."""
+    measures = {DURATION: TIME, **_tabled(summary)}
+
+    def cell(found: dict[str, Any] | None, digits: int) -> Cell:
+        if found is None or found['difference'] is None:
+            return DASH
+        low, high = found['paired95']
+        interval = '' if low is None else f'{low:+.{digits}f} \u2026 {high:+.{digits}f}'
+        return f'{found["difference"]:+.{digits}f}', interval
+    rows = [('', [f'{d["a"]} minus {d["b"]}', f'{d["both"]:,}',
+                  *(cell(d['measures'].get(name), m['digits'] + 1)
+                    for name, m in measures.items())])
+            for d in summary['differences'] if 'measures' in d]
+    return Table(['means, run by run', 'runs', *_heads(measures)], rows)
 
 
 def _p(value: float) -> str:

@@ -66,12 +66,16 @@ def rows(flown: Any, order: Sequence[str] = ()) -> Table:
     """
     Return the rows of a `Batch` of flown runs, with the columns named in `order`, or all.
 
+    A name that ends in '?' is of a column that some scenarios have; elsewhere it is left out.
+
     Raises
     ------
     ValueError
         If a column is ordered that there is not, or one is neither text nor number.
     """
     made = {'run': flown.runs, **table_columns(flown.verdict), **flown.columns}
+    order = [name.removesuffix('?') for name in order
+             if not name.endswith('?') or name[:-1] in made]
     unknown = [name for name in order if name not in made]
     if unknown:
         raise BadInput(f'no column {unknown[0]}: there are {", ".join(made)}')

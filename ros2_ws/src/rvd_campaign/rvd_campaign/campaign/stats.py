@@ -6,7 +6,8 @@ Proportions     E. B. Wilson, J. Am. Stat. Assoc. 22, 1927, 209-212: the score i
 Differences     R. G. Newcombe, Stat. Med. 17, 1998: of independent proportions pp. 873-890,
                 method 10; of paired ones pp. 2635-2650, method 10, with its correction of phi.
                 Conditions of a campaign share their random draws run by run, so they are paired.
-Means           normal approximation; runs are counted in hundreds and more.
+Means           normal approximation; runs are counted in hundreds and more. Of paired differences
+                Student's t: the runs that succeed in both conditions may be few.
 
 `scipy.stats` takes most of a second to import, so that only what calls it does.
 """
@@ -126,3 +127,14 @@ def mean(values: ArrayLike) -> tuple[float, float]:
         return float('nan'), float('nan')
     error = float(values.std(ddof=1) / sqrt(values.size)) if values.size > 1 else float('nan')
     return float(values.mean()), error
+
+
+def mean_difference(a: ArrayLike, b: ArrayLike) -> tuple[float, Interval]:
+    """Return the mean of a - b, run by run, and its interval; NaN where too few are known."""
+    difference = np.asarray(a, dtype=float) - np.asarray(b, dtype=float)
+    middle, error = mean(difference)
+    if np.isnan(error):
+        return middle, Interval(error, error)
+    from scipy.stats import t
+    reach = float(t.ppf(0.975, int((~np.isnan(difference)).sum()) - 1)) * error
+    return middle, Interval(middle - reach, middle + reach)

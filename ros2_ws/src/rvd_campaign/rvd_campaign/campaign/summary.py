@@ -19,6 +19,7 @@ from rvd_dynamics.diagram.in_process import judge_of
 from rvd_dynamics.diagram.judge import bare_name, declared
 
 SUMMARY = 'summary.json'
+DURATION = 'duration_s'                 # a column of every table, though no measure of a judge
 HEAD_WIDTH = 8                          # of a measure's name above its column
 
 
@@ -31,10 +32,11 @@ def finish(campaign: Campaign, folder: Path) -> dict[str, Any]:
     ValueError
         If a run is missing or the disk is full.
     """
-    conditions, success, by_replicate = [], {}, {}
+    conditions, success, by_replicate, kept = [], {}, {}, {}
     judge = judge_of(campaign.conditions[0].scenario)           # limits may differ, names do not
     measures = declared(judge.measures)
     seconds = _seconds(folder, len(campaign.conditions))
+    compared, paired = {name for both in campaign.compare for name in both}, [DURATION, *measures]
     try:
         with results.result_file(folder / RESULTS, campaign.seed) as file:
             for (name, table), spent in zip(condition_tables(campaign, folder), seconds):
@@ -42,13 +44,17 @@ def finish(campaign: Campaign, folder: Path) -> dict[str, Any]:
                 conditions.append(of_condition(campaign.condition(name), table, spent,
                                                list(measures)))
                 success[name] = table['success']
+                if name in compared:
+                    kept[name] = {key: table[key] for key in paired if key in table}
     except OSError as error:
         raise full_disk(folder, error) from None
     summary = {
         'campaign': campaign.name, 'title': campaign.title, 'seed': campaign.seed,
         'result_hash': file.hash, 'identity': identity(campaign), 'measures': measures,
         'reasons': judge.reasons, 'conditions': conditions,
-        'differences': [of_pair(a, b, success[a], success[b]) for a, b in campaign.compare],
+        'differences': [{**of_pair(a, b, success[a], success[b]),
+                         **of_measures(success[a] & success[b], kept[a], kept[b])}
+                        for a, b in campaign.compare],
         'fitted': campaign.fitted, 'notes': [*campaign.notes, *notes_of_the_mission(campaign)]}
     if campaign.replicates:
         size = campaign.replicates[0] * campaign.replicates[1]
@@ -62,7 +68,8 @@ def of_condition(condition: Condition, table: Table, seconds: float, measures: l
     """
     Return the summary of one condition.
 
-    Means and standard errors are over successes, of the measures that the table holds. Those that
+    Means and standard errors are over successes, of the measures that the table holds and of the
+    duration. Those that
     are known in every run have a mean over all runs, too. Columns `steps_...` beside `steps` are
     counts of steps, of which the mean share is given.
     """
@@ -76,6 +83,7 @@ def of_condition(condition: Condition, table: Table, seconds: float, measures: l
         'success_rate': successes / runs, 'wilson95': list(stats.wilson(successes, runs)),
         'means': {name: value for name, (value, _) in over_successes.items()},
         'standard_errors': {name: error for name, (_, error) in over_successes.items()},
+        'duration_s': dict(zip(('mean', 'standard_error'), stats.mean(table[DURATION][good]))),
         'reasons': dict(sorted(Counter(table['reason'].tolist()).items())),
         'means_of_all_runs': {name: stats.mean(table[name])[0] for name in always_known},
         'runs_per_s': runs / seconds if seconds > 0 else float('nan')}
@@ -95,6 +103,14 @@ def of_pair(a: str, b: str, success_a: np.ndarray, success_b: np.ndarray) -> dic
             'unpaired95': list(stats.newcombe(int(success_a.sum()), table.runs,
                                               int(success_b.sum()), table.runs)),
             'only_a': table.only_a, 'only_b': table.only_b, 'p': stats.sign_test(table)}
+
+
+def of_measures(both: np.ndarray, a: Table, b: Table) -> dict[str, Any]:
+    """Return how the measures of two conditions differ in the runs in which both succeed."""
+    found = {name: stats.mean_difference(a[name][both], b[name][both]) for name in a}
+    return {'both': int(both.sum()), 'measures': {
+        name: {'difference': middle, 'paired95': list(interval)}
+        for name, (middle, interval) in found.items()}}
 
 
 def of_replicates(campaign: Campaign, rates: dict[str, np.ndarray]) -> dict[str, Any]:

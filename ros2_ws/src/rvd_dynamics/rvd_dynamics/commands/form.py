@@ -14,7 +14,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from rvd_dynamics.commands.acceleration import BangBang, Continuous, Pulses, RateLimited
 from rvd_dynamics.commands.levels import LevelForm
-from rvd_dynamics.diagram.params import choice
+from rvd_dynamics.diagram.params import choice, param, settings
+from rvd_dynamics.diagram.scenario import Scenario
+from rvd_dynamics.diagram.signal import Part
 
 
 class CommandForm(Protocol):
@@ -39,6 +41,33 @@ class CommandForm(Protocol):
 
 FORMS = {'levels': LevelForm, 'continuous': Continuous, 'rate_limited': RateLimited,
          'bang_bang': BangBang, 'pulses': Pulses}
-ThrusterParams = choice(
-    'ThrusterParams', 'form', {name: form for name, form in FORMS.items() if name != 'levels'},
-    'continuous', 'Alphabet of the thrusters.')
+
+UNITS = {'f': 'm/s^2', 'i': 'levels'}
+
+
+def thruster_form(scenario: Scenario) -> CommandForm:
+    """Return the command form that the settings `thrust` of a scenario pick."""
+    return scenario.wired(scenario.part('thrust').selected)
+
+
+def part(form: CommandForm) -> Part:
+    """Return the part of a signal that carries commands of a form of thrusters."""
+    kind = form.neutral.dtype
+    return Part('command', form.neutral.shape, UNITS[kind.kind], kind.str[1:], initial=0.0)
+
+
+def thrusters(max_m_s2: float) -> type:
+    """
+    Return the settings of thrusters along three axes: `form` and the settings of each form.
+
+    `max_m_s2` is their largest acceleration [m/s^2] where a scenario says nothing.
+    """
+    def of_size(form: type) -> type:
+        most = param(max_m_s2, form.__dataclass_fields__['max_m_s2'].metadata['doc'],
+                     above=0.0, high=1000.0)
+        return settings(type(form.__name__, (form,), {
+            '__doc__': form.__doc__, '__annotations__': {'max_m_s2': float}, 'max_m_s2': most}))
+
+    return choice('ThrusterParams', 'form', {
+        name: of_size(form) for name, form in FORMS.items() if name != 'levels'},
+        'continuous', 'Alphabet of the thrusters.')

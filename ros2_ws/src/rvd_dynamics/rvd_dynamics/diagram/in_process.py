@@ -147,9 +147,10 @@ def _operator(scenario: Scenario) -> str:
     return f'operator {scenario.part("operation").operator}: '
 
 
-def judge_of(scenario: Scenario, batch: tuple = ()) -> Any:
-    """Return a judge of the scenario's mission for a batch."""
-    return made(scenario.mission.judge, lambda name: batch if name == 'batch' else
+def judge_of(scenario: Scenario, batch: tuple = (), runs: Sequence[int] | None = None) -> Any:
+    """Return a judge of the scenario's mission for a batch; None: of the scenario's own run."""
+    own = {'batch': batch, 'runs': runs}
+    return made(scenario.mission.judge, lambda name: own[name] if name in own else
                 scenario.part(name), f'judge of mission {scenario.mission.name}')
 
 
@@ -212,7 +213,7 @@ class Loop:
         self._blocks = {block.name: self._made(block, runs, draws) for block in self._diagram.order}
         self._plan = [self._planned(block) for block in self._diagram.order]
         self._delayed = [slot for slot in self._slots.values() if slot.before.maxlen]
-        self.judge = judge_of(scenario, self._batch)
+        self.judge = judge_of(scenario, self._batch, runs)
         self._plant = self._diagram.by_name[self._diagram.plant]
         self._truth = self._slots[self._diagram.truth.name].now
         self.ended = np.zeros(len(runs), dtype=bool)

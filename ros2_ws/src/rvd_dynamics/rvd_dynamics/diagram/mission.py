@@ -62,10 +62,11 @@ class Mission:
         Whether the scene is drawn for RViz and Foxglove.
     scene : str
         'module:function' of a scenario that returns what the markers draw besides the craft, a
-        `display.scene.Field`; empty: the corridor and the control boundary of an approach.
+        `display.scene.Field`; empty, or None from it: the corridor and the control boundary of an
+        approach.
     columns : str
         'module:NAME' of the names of all columns of a campaign's table in their order, for a
-        mission that orders them; empty: the verdict, the measures, then what the block `columns`
+        mission that orders them ('NAME?': where there is one); empty: the verdict, the measures, then what the block `columns`
         makes.
     figures, campaign_figures, display, usual_steps : str
         'module:NAME' of the figures of a recording and those of a campaign, the console's

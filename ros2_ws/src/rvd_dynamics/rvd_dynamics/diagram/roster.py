@@ -107,7 +107,7 @@ class Roster:
                        if self.topics.get(name) == STATE)
         if self.scenario.mission.scene:
             field = loaded(self.scenario.mission.scene)(self.scenario)
-            viewed += tuple(spheres.rows.signal for spheres in field.moving)
+            viewed += tuple(s.rows.signal for s in field.moving) if field else ()
         return {watcher.name: watcher for watcher in (
             Watcher(MONITOR, (truth, '/run/end'), ('/run/verdict',)),
             Watcher(RECORDER, tuple(self.topics), ('/run/recorded_step',)),

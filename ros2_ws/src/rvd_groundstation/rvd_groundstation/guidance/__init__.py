@@ -17,6 +17,8 @@ from rvd_groundstation.guidance.barrier import Barrier
 from rvd_groundstation.guidance.corridor_apf import CorridorApf
 from rvd_groundstation.guidance.damped_apf import DampedApf
 from rvd_groundstation.guidance.none import NoLaw
+from rvd_groundstation.guidance.odrrca import Odrrca
+from rvd_groundstation.guidance.safe_approach import SafeApproach
 
 
 class Law(Protocol):
@@ -48,5 +50,7 @@ LAWS = {
     'corridor_apf': CorridorApf,
     'damped_apf': DampedApf,
     'barrier': Barrier,
+    'safe_apf': SafeApproach,
+    'odrrca': Odrrca,
     'none': NoLaw,
 }

@@ -76,6 +76,9 @@ class Barrier:
     force_closing_m_s: tuple = param(
         (0.15, 0.285), 'Closing rates below and above which level 1 corrects the rate [m/s].',
         length=2, rising=True)
+    around_m_s: float = param(
+        0.05, 'Largest lateral rate at which it leads round an obstacle that is in the way, where 0 '
+        'means that it only stops [m/s].', low=0.0, high=1.0)
 
     def __post_init__(self) -> None:
         require(len(self.coasts_s) > 0, 'coasts_s', 'be one number or more', list(self.coasts_s))
@@ -88,11 +91,12 @@ class Barrier:
         shall come out itself: so, too, in mode auto, where nobody blends and the law is told of none.
         """
         prediction = np.asarray(prediction, dtype=float)
-        alone = stick is None
-        if alone:
-            stick = np.zeros((*prediction.shape[:-1], 3), dtype=np.int8)
-        outcome = self.outcome(prediction, stick)
-        if not alone:
+        neutral = np.zeros((*prediction.shape[:-1], 3), dtype=np.int8)
+        return self.told(self.outcome(prediction, neutral if stick is None else stick), stick)
+
+    def told(self, outcome: Levels, stick: ArrayLike | None) -> Array:
+        """Return the effect (..., 3) [m/s^2] of the automatic command that makes `outcome` of it."""
+        if stick is not None:
             cell = LEVELS.size*np.add(stick, HIGHEST) + (outcome + HIGHEST)
             outcome = self._automatic.ravel().take(cell.T).T    # as components lie in memory
         return self.form.effect(outcome)
@@ -103,14 +107,18 @@ class Barrier:
         state = np.ascontiguousarray(prediction.reshape(-1, 6).T)
         stick = np.ascontiguousarray(np.reshape(stick_levels, (-1, 3)).T)
         wanted = np.empty(stick.shape, dtype=np.int8)
-        wanted[0] = self._closing(state[3], stick[0])
-        cost = self.violation(state)
-        cost *= VIOLATION_WEIGHT
-        cost += self._reluctance.take(stick[1:] + HIGHEST, axis=1)
+        wanted[0], cost = self.wishes(state, stick)
         wanted[1:] = cost.argmin(axis=0)
         wanted[1:] -= HIGHEST
         wanted *= np.isfinite(state).all(axis=0)
         return wanted.T.reshape(*prediction.shape[:-1], 3)
+
+    def wishes(self, state: Array, stick: Levels) -> tuple[Levels, Array]:
+        """Return the level along x (n,), and what each level (7, 2, n) of y and z costs."""
+        cost = self.violation(state)
+        cost *= VIOLATION_WEIGHT
+        cost += self._reluctance.take(stick[1:] + HIGHEST, axis=1)
+        return self._closing(state[3], stick[0]), cost
 
     def violation(self, state: Array) -> Array:
         """Return by how much (7, 2, n) [m] each level misses the corridor from `state` (6, n)."""
@@ -125,16 +133,22 @@ class Barrier:
         return worst
 
     def _ahead(self, state: Array) -> Ahead:
-        n, dt = self.orbit.mean_motion, self.run.step_s
+        dt = self.run.step_s
         closing = np.maximum(state[3], SLOWEST_M_S)
         to_go = np.maximum(-state[0]/closing, 0.0)
+        drift = self.drift(state)
+        return Ahead(state[0], closing, np.maximum(to_go - dt, 0.0), drift)
+
+    def drift(self, state: Array) -> Array:
+        """Return the orbital acceleration (2, n) [m/s^2] of y and z, as far as `coupling` says."""
+        n = self.orbit.mean_motion
         drift = np.zeros_like(state[1:3])
         if self.coupling != 'none':
             drift[0] = 2.0*n*state[3]
         if self.coupling == 'all':
             drift[0] += 3.0*n*n*state[1]
             drift[1] = -n*n*state[2]
-        return Ahead(state[0], closing, np.maximum(to_go - dt, 0.0), drift)
+        return drift
 
     def _miss(self, p: Array, v: Array, ahead: Ahead, coast_s: float) -> Array:
         """Return how far outside (7, 2, n) [m] a coast and a brake from `p`, `v` end."""

@@ -53,6 +53,9 @@ class CorridorApf:
         0.0, 'Deceleration per unit of speed towards the wall, which is not in the paper [1/s].',
         low=0.0)
     damp_return: bool = param(False, 'Whether motion away from the wall is damped as well.')
+    sphere_band_m: float = param(
+        1.5, 'Distance to the surface of an obstacle within which it pushes as the wall does [m].',
+        low=0.0)
     closing_rate_m_s: float = param(
         0.25, 'Closing rate for which the control boundary is computed [m/s].', low=0.01)
     gradient: str = param(
@@ -93,6 +96,24 @@ class CorridorApf:
         if not self.along_x:
             force[..., 0] = 0.0
         return np.where(at_rest[..., None], 0.0, force)
+
+    def from_sphere(self, state: Array, place: Array, radius_m: float) -> Array:
+        """
+        Return the push (..., 3) [m/s^2] of a sphere at `place` (..., 3), within `sphere_band_m`.
+
+        Eq. 11 without its middle term, with e towards the centre and D the distance to the
+        surface; it also acts along x, where a wall does not stand but a sphere may.
+        """
+        away = [state[..., i] - place[..., i] for i in range(3)]
+        x, y, z = away
+        far = np.sqrt(x*x + y*y + z*z)
+        closing = -(x*state[..., 3] + y*state[..., 4] + z*state[..., 5]) / np.maximum(far, 1e-9)
+        d = np.maximum(far - radius_m, self.least_distance_m)
+        push = self.lambda_1_m3_s2/(d*d) + self.lambda_2_m_s2
+        braked = closing if self.damp_return else np.maximum(closing, 0.0)
+        push = push + self.damping_per_s*braked
+        push = np.where(far - radius_m <= self.sphere_band_m, push, 0.0) / np.maximum(far, 1e-9)
+        return np.stack([push*part for part in away], axis=-1)
 
     def boundary(self, x: ArrayLike) -> Array:
         """Return the radius [m] at stations `x` [m] (...) beyond which the field acts."""

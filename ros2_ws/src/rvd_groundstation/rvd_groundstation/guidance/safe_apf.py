@@ -47,8 +47,8 @@ class Encounter(NamedTuple):
 
 
 @settings
-class SafeApf:
-    """Potential field with alarms for obstacles and a corridor of the approach speed."""
+class TargetField:
+    """Attraction and repulsion by the target, within a corridor of the approach speed."""
 
     uses_stick: ClassVar[bool] = False
 
@@ -57,35 +57,6 @@ class SafeApf:
         1.0, 'Speed far from the target, v_max [m/s].', above=0.0, high=100.0)
     slowing_per_m: float = param(
         0.0045, 'Rate b_g at which the speed dies away near the target [1/m].', above=0.0, high=10.0)
-    repulsion_m2_s: float = param(
-        0.4, 'Product k_i k_o of the gains of the repulsion by obstacles [m^2/s].', low=0.0,
-        high=1000.0)
-    zone: str = param(
-        'product', 'Braking zone: d_0 (L_o + D_stop), or the sum d_0 + L_o + D_stop.',
-        choices=('product', 'sum'))
-    zone_factor: float = param(
-        1.8, 'Factor d_0 of the zone as a product.', above=0.0, high=100.0)
-    zone_margin_m: float = param(
-        1.28, 'Margin d_0 of the zone as a sum [m].', low=0.0, high=1000.0)
-    braking_m_s2: float = param(
-        0.01, 'Deceleration of the braking distance, a_max [m/s^2].', above=0.0, high=1000.0)
-    braking_speed: str = param(
-        'relative', 'Speed of the braking distance: the relative one, or what of it closes.',
-        choices=('relative', 'closing'))
-    alarm: str = param(
-        'probability', 'What puts the repulsion by an obstacle on: its distance, the collision '
-        'probability, or nothing.', choices=('distance', 'probability', 'none'))
-    covariance: str = param(
-        'sphere', 'Collision probability for the mean variance of the axes (sphere), or for the '
-        'covariance as it is (general).', choices=('sphere', 'general'))
-    alarm_probability: float = param(
-        1e-4, 'Collision probability that raises the alarm, P_th.', above=0.0, below=1.0)
-    release_distance_factor: float = param(
-        1.0, 'Distance at which an alarm ends, in zones; above 1 it has hysteresis.', low=1.0,
-        high=100.0)
-    release_probability_factor: float = param(
-        1.0, 'Probability at which an alarm ends, in alarm probabilities; below 1 it has '
-        'hysteresis.', above=0.0, high=1.0)
     target_repulsion: str = param(
         'corridor', 'Repulsion by the target: that of the speed corridor where it is kept, or the '
         'empirical one.', choices=('corridor', 'empirical'))
@@ -103,8 +74,6 @@ class SafeApf:
         if self.contact_m is not None and self.target_repulsion == 'empirical':
             require(self.target_range_m > self.contact_m, 'target_range_m',
                     f'be above the distance at contact, {self.contact_m:g}', self.target_range_m)
-
-    # -- without obstacles ------------------------------------------------------------------
 
     def wanted(self, prediction: ArrayLike, stick: ArrayLike | None = None) -> Array:
         """Return the acceleration (..., 3) [m/s^2] wanted at states (..., 6) without obstacles."""
@@ -134,6 +103,11 @@ class SafeApf:
         """Return v_g + v_m along x, y, z [m/s], within the speed corridor where it is kept."""
         x, y, z = state[..., 0], state[..., 1], state[..., 2]
         r = np.sqrt(x*x + y*y + z*z)
+        share = -self.speed(r, t_s) / np.maximum(r, 1e-12)
+        return share*x, share*y, share*z
+
+    def speed(self, r: Array, t_s: float) -> Array:
+        """Return the size of v_g + v_m (...) [m/s] at distances (...) [m] from the target."""
         speed = (self.attraction * self.max_speed_m_s * -np.expm1(-t_s / RISE_S)
                  * -np.expm1(-self.slowing_per_m * r))
         gap = r - self.contact_m
@@ -147,10 +121,42 @@ class SafeApf:
             speed = np.where(r < self.target_range_m, slowed, speed)
         if self.speed_corridor.kept:
             speed = np.minimum(speed, self.speed_corridor.limit(gap))
-        share = -speed / np.maximum(r, 1e-12)
-        return share*x, share*y, share*z
+        return speed
 
-    # -- obstacles --------------------------------------------------------------------------
+
+@settings
+class ObstacleField:
+    """Repulsion by obstacles, each on while it alarms."""
+
+    repulsion_m2_s: float = param(
+        0.4, 'Product k_i k_o of the gains of the repulsion by obstacles [m^2/s].', low=0.0,
+        high=1000.0)
+    zone: str = param(
+        'product', 'Braking zone: d_0 (L_o + D_stop), or the sum d_0 + L_o + D_stop.',
+        choices=('product', 'sum'))
+    zone_factor: float = param(
+        1.8, 'Factor d_0 of the zone as a product.', above=0.0, high=100.0)
+    zone_margin_m: float = param(
+        1.28, 'Margin d_0 of the zone as a sum [m].', low=0.0, high=1000.0)
+    braking_m_s2: float = param(
+        0.01, 'Deceleration of the braking distance, a_max [m/s^2].', above=0.0, high=1000.0)
+    braking_speed: str = param(
+        'relative', 'Speed of the braking distance: the relative one, or what of it closes.',
+        choices=('relative', 'closing'))
+    alarm: str = param(
+        'probability', 'What puts the repulsion by an obstacle on: its distance, the collision '
+        'probability, or nothing.', choices=('distance', 'probability', 'none'))
+    covariance: str = param(
+        'sphere', 'Collision probability for the mean variance of the axes (sphere), or for the '
+        'covariance as it is (general).', choices=('sphere', 'general'))
+    alarm_probability: float = param(
+        1e-4, 'Collision probability that raises the alarm, P_th.', above=0.0, below=1.0)
+    release_distance_factor: float = param(
+        1.0, 'Distance at which an alarm ends, in zones; above 1 it has hysteresis.', low=1.0,
+        high=100.0)
+    release_probability_factor: float = param(
+        1.0, 'Probability at which an alarm ends, in alarm probabilities; below 1 it has '
+        'hysteresis.', above=0.0, high=1.0)
 
     def encounter(self, state: Array, obstacles: Array, radius: Array) -> Encounter:
         """
@@ -224,6 +230,11 @@ class SafeApf:
         push = self.repulsion_m2_s / (sigma*sigma) * np.exp(-0.5*share*share)
         push = np.where(on, push, 0.0)
         return tuple(_added(push * component) for component in met.away)
+
+
+@settings
+class SafeApf(TargetField, ObstacleField):
+    """Potential field with alarms for obstacles and a corridor of the approach speed."""
 
 
 def _added(parts: Array) -> Array:

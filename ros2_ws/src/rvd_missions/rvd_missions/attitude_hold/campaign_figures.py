@@ -22,6 +22,8 @@ GROUPS = INK, GREEN, ORANGE, MUTED              # of cells that share all but th
 
 def comparison(results: Any) -> tuple['Canvas', str]:
     """Draw the means of both laws, and golden_section minus pid run by run."""
+    from matplotlib.ticker import NullFormatter
+
     found = rows(results.tables, tuple(DRAWN))
     figure = canvas(0.9 + 2.1*len(DRAWN), top=0.5, hspace=0.2, wspace=0.20)
     panels = figure.subplots(len(DRAWN), 2, squeeze=False, sharex=True)
@@ -32,18 +34,19 @@ def comparison(results: Any) -> tuple['Canvas', str]:
         _levels(left, chosen, names, groups)
         _differences(right, chosen, names, groups)
         left.set(ylabel=label, yscale='log')
+        left.yaxis.set_minor_formatter(NullFormatter())
         right.axhline(0.0, color=INK, linewidth=1.0)
     panels[0, 0].set_title('Mean with each law')
     panels[0, 1].set_title('golden_section minus pid, run by run')
     for axes in panels[-1]:
-        axes.set_xticks(range(len(names)), [name.replace(' sensor', '\nsensor') for name in names],
-                        fontsize=6.0)
+        axes.set_xticks(range(len(names)), [name.replace(' ', '\n') for name in names], fontsize=6.0)
     panels[0, 0].legend(ncols=2, **ABOVE)
     if len(groups) > 1:
         panels[1, 1].legend(ncols=len(groups), **ABOVE)
-    figure.subplots_adjust(bottom=0.6/figure.get_figheight())
+    figure.subplots_adjust(bottom=0.9/figure.get_figheight())
     return figure, (
-        'Left: means over all runs in which the measure is known. Right: mean of the paired '
+        'Left: means over all runs in which the measure is known; in each group in the order of '
+        'the colours on the right. Right: mean of the paired '
         'difference with its 95 % interval (Student), each on its own; below 0 golden_section has '
         'the smaller value. ' + ' '.join(_count(found, measure) for measure in DRAWN))
 

@@ -17,7 +17,7 @@ MISSION = Mission(
         Shared('orbit', 'rvd_dynamics.motion.kepler:EllipseParams', 'orbit.'),
         Shared('start', f'{HERE}.settings:StartParams', 'start.'),
         Shared('arrival', f'{HERE}.settings:ArrivalParams', 'arrival.'),
-        Shared('engine', f'{HERE}.commands:EngineParams', 'engine.'),
+        Shared('thrust', f'{HERE}.settings:ThrusterParams', 'thrust.'),
         Shared('guidance', f'{HERE}.settings:GuidanceParams', 'guidance.'),
     ),
     sections={
@@ -30,7 +30,8 @@ MISSION = Mission(
     },
     parts={
         'legs': 'rvd_dynamics.diagram.run:legs',
-        'form': f'{HERE}.commands:form',
+        'form': 'rvd_dynamics.commands.form:thruster_form',
+        'away': f'{HERE}.settings:away',
         'law': f'{HERE}.ground:law',
         'checked': f'{HERE}.settings:checked',
     },

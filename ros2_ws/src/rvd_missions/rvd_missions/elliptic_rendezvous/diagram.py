@@ -7,14 +7,14 @@ The data flow of the rendezvous: the only place where it is written.
             +------- thrust ------- onboard_guard <- link_forward <------- uplink ------+
 """
 
+from rvd_dynamics.commands.form import part
 from rvd_dynamics.diagram.block import Block, GROUND, last, now, ONBOARD, WORLD
 from rvd_dynamics.diagram.diagram import Diagram
 from rvd_dynamics.diagram.scenario import Scenario
 from rvd_dynamics.diagram.streams import Normals, StartNormals
 from rvd_dynamics.link.leg import leg
 from rvd_missions.elliptic_rendezvous import HERE, signals
-from rvd_missions.elliptic_rendezvous.signals import (
-    ARRIVAL, COMMAND, DOWNLINK, TELEMETRY, THRUST, TRUTH, UPLINK)
+from rvd_missions.elliptic_rendezvous.signals import DOWNLINK, TELEMETRY, TRUTH
 
 NAME = 'elliptic_rendezvous'
 
@@ -22,12 +22,13 @@ NAME = 'elliptic_rendezvous'
 def diagram(scenario: Scenario) -> Diagram:
     """Return the blocks of a run."""
     legs, settings = scenario.part('legs'), scenario.mission.sections
-    command = COMMAND.shifted(legs.forward)
+    s = signals.command_signals(part(scenario.part('form')))
+    command = s.command.shifted(legs.forward)
     prediction = signals.PREDICTION.shifted(legs.forward)
     guidance = signals.GUIDANCE.shifted(legs.forward)
     return Diagram((
         Block('spacecraft_dynamics', f'{HERE}.space:SpacecraftDynamics', WORLD,
-              reads={'thrust': last(THRUST)}, writes={'truth': TRUTH},
+              reads={'thrust': last(s.thrust)}, writes={'truth': TRUTH},
               settings=settings['spacecraft_dynamics'],
               draws={'scatter': StartNormals(f'{NAME}/spacecraft_dynamics/scatter', 2),
                      'execution': Normals(f'{NAME}/spacecraft_dynamics/execution', 3)}),
@@ -41,10 +42,10 @@ def diagram(scenario: Scenario) -> Diagram:
               writes={'prediction': prediction}),
         Block('auto_controller', f'{HERE}.ground:AutoController', GROUND,
               reads={'prediction': now(prediction)},
-              writes={'command': command, 'uplink': UPLINK, 'guidance': guidance},
+              writes={'command': command, 'uplink': s.uplink, 'guidance': guidance},
               settings=settings['auto_controller'], control=True),
-        leg(scenario, 'link_forward', UPLINK, ARRIVAL, legs.forward),
+        leg(scenario, 'link_forward', s.uplink, s.arrival, legs.forward),
         Block('onboard_guard', 'rvd_dynamics.onboard.guard.block:Guard', ONBOARD,
-              reads={'arrival': now(ARRIVAL)}, writes={'thrust': THRUST},
+              reads={'arrival': now(s.arrival)}, writes={'thrust': s.thrust},
               settings=settings['onboard_guard']),
-    ), 'spacecraft_dynamics', 'onboard_guard', THRUST.name)
+    ), 'spacecraft_dynamics', 'onboard_guard', s.thrust.name)

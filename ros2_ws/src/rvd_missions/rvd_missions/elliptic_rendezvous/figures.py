@@ -12,8 +12,9 @@ from numpy.typing import NDArray
 from rvd_dynamics.recording.drawing import (
     ABOVE, BLUE, canvas, DASHED, Figure, GREEN, INK, MUTED, ORANGE, VERMILLION)
 from rvd_dynamics.recording.recording import Recording
+from rvd_groundstation.guidance.range_rate import line_of_sight
 from rvd_missions.elliptic_rendezvous.gains import CycleCase
-from rvd_missions.elliptic_rendezvous.laws import line_of_sight, Rrca
+from rvd_missions.elliptic_rendezvous.laws import Rrca
 from rvd_missions.elliptic_rendezvous.signals import GUIDANCE, TRUTH
 
 if TYPE_CHECKING:

@@ -1,5 +1,5 @@
 """
-The gains of range-rate control, and what they must be.
+One case of the direction-angle equation, and what its gains must be.
 
 Source  Yu, Yang 1998: k, k1, k2, q and phi_d are the paper's names, kept here.
 """
@@ -7,31 +7,7 @@ Source  Yu, Yang 1998: k, k1, k2, q and phi_d are the paper's names, kept here.
 from math import radians
 
 from rvd_dynamics.diagram.params import param, require, settings
-
-FORMS = ('r1', 'r2', 'r4')
-FEED_FORWARDS = ('off', 'on', 'full')
-
-
-def check_gains(form: str, k: float, k1: float, q1: float = 0.0) -> None:
-    """
-    Refuse gains with which no approach can be steady.
-
-    The damping of the direction angle, averaged over an orbit, is 2 (k + k1) + q1 in form R1 and
-    2 k1 + q1 in R2 and R4: by Liouville's theorem the map over one orbit contracts areas by
-    exp(-2 pi) to that power.
-
-    Raises
-    ------
-    Impossible
-        Names the gain, its bound and why.
-    """
-    require(k <= 0.0, 'k', 'not be positive: the range follows exp(k nu), and the chaser would '
-            'leave', k)
-    least = (-k if form == 'r1' else 0.0) - q1/2
-    why = '-k' if form == 'r1' else '0'
-    less = ' - q1/2' if q1 else ''
-    require(k1 > least, 'k1', f'be above {why}{less} = {least:g}: below, form {form.upper()} does '
-            'not damp the direction angle over an orbit', k1)
+from rvd_groundstation.guidance.range_rate import check_gains, FEED_FORWARDS, FORMS
 
 
 @settings

@@ -7,15 +7,17 @@ from typing import Any
 import numpy as np
 
 from rvd_dynamics.commands.codes import KIND_ABORT, KIND_THRUST
+from rvd_dynamics.commands.form import CommandForm
+from rvd_dynamics.diagram.block import Block
 from rvd_dynamics.diagram.control import Control
 from rvd_dynamics.diagram.run import Legs
 from rvd_dynamics.diagram.scenario import Scenario
 from rvd_dynamics.motion.kepler import EllipseParams
-from rvd_missions.elliptic_rendezvous.commands import AccelerationForm
-from rvd_missions.elliptic_rendezvous.laws import line_of_sight, Rrca
+from rvd_groundstation.guidance.range_rate import line_of_sight
+from rvd_missions.elliptic_rendezvous.laws import Rrca
 from rvd_missions.elliptic_rendezvous.prediction import VaryingPredictor
 from rvd_missions.elliptic_rendezvous.settings import ArrivalParams
-from rvd_missions.elliptic_rendezvous.signals import COMMAND, GUIDANCE, PREDICTION, UPLINK
+from rvd_missions.elliptic_rendezvous.signals import GUIDANCE, PREDICTION
 from rvd_missions.elliptic_rendezvous.thrust import ThrustParams, Thrusters
 
 
@@ -27,7 +29,7 @@ def law(scenario: Scenario) -> Rrca:
 class StatePredictor:
     """Where the chaser will be when a command sent now acts."""
 
-    def __init__(self, orbit: EllipseParams, legs: Legs, form: AccelerationForm, batch: tuple
+    def __init__(self, orbit: EllipseParams, legs: Legs, form: CommandForm, batch: tuple
                  ) -> None:
         self._predictor = VaryingPredictor(orbit, legs, form, batch)
 
@@ -41,11 +43,14 @@ class AutoController:
     """The law, and the thrusters that carry it out."""
 
     def __init__(self, settings: ThrustParams, law: Rrca, orbit: EllipseParams,
-                 arrival: ArrivalParams, legs: Legs, form: AccelerationForm, batch: tuple) -> None:
+                 arrival: ArrivalParams, legs: Legs, form: CommandForm, batch: tuple,
+                 block: Block) -> None:
         self._law, self._orbit, self._arrival, self._form = law, orbit, arrival, form
         self._legs, self._lag_s = legs, 1.0/settings.rate_gain_per_s
         self._thrusters = Thrusters(settings, legs.step_s, batch)
         self._near = np.zeros(batch, dtype=bool)
+        self._command, self._uplink = block.writes['command'], block.writes['uplink']
+        self._last = self._neutral = np.broadcast_to(form.neutral, (*batch, 3))
 
     def step(self, k: int, prediction: Any, control: Control) -> dict[str, Any]:
         """Return the command of step k, the uplink that carries it, and what the law sees."""
@@ -61,12 +66,13 @@ class AutoController:
                                                           self._law.k)
         s, side = np.sin(los.direction), np.cos(los.direction)
         wanted = np.stack([along*s + across*side, along*side - across*s, out], axis=-1)
-        command = self._form.quantise(wanted)
+        command = self._form.follow(self._last, wanted)
         kind = KIND_THRUST
         if control.abort:
-            command, kind = np.zeros_like(command), KIND_ABORT
-        made = {'command': COMMAND(command=command, kind=np.uint8(kind)),
-                'uplink': UPLINK(command=command, kind=np.uint8(kind),
+            command, kind = self._neutral, KIND_ABORT
+        self._last = command
+        made = {'command': self._command(command=command, kind=np.uint8(kind)),
+                'uplink': self._uplink(command=command, kind=np.uint8(kind),
                                  expedited=np.bool_(control.abort))}
         made['guidance'] = GUIDANCE(
             range=los.range, direction=los.direction, range_rate=los.range_rate,

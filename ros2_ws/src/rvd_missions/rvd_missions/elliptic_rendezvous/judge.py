@@ -15,8 +15,9 @@ from numpy.typing import NDArray
 from rvd_dynamics.diagram.judge import Measure, Verdict
 from rvd_dynamics.diagram.run import Run
 from rvd_dynamics.motion.kepler import EllipseParams
+from rvd_groundstation.guidance.range_rate import line_of_sight, wrap
 from rvd_missions.elliptic_rendezvous.end import range_of
-from rvd_missions.elliptic_rendezvous.laws import line_of_sight, Rrca, wrap
+from rvd_missions.elliptic_rendezvous.laws import Rrca
 from rvd_missions.elliptic_rendezvous.settings import ArrivalParams, StartParams
 
 BINS = 64                       # of an orbit, in which extremes of the direction are kept

@@ -3,36 +3,23 @@ Range-rate control: what each law wants along and across the line of sight.
 
 Frame   target orbital (`motion.kepler`); the line of sight runs from target to chaser at the
         angle phi from radial-out, positive along the orbital motion: x = D sin phi, y = D cos phi.
-Source  Yu, Yang 1998, sections 2 and 3. Its equations are lost in the scan; these were derived
-        from its words (forms R1, R2, R4: docs/missions/elliptic_rendezvous.md):
-        R1  D._r = D (k nu. + k1 phi. + k2 nu.. / nu.)
-        R2  D._r = D (nu. (k nu. + k1 phi.) / (phi. + nu.) + k2 nu.. / nu.)
-        R4  D._r = D nu. (k nu. + k1 phi. + k2 nu.. / nu.) / (phi. + nu.)
-        ODRRCA adds a_phi = D nu.^2 (-q wrap(phi - phi_d) - q1 phi' + ff); the combined mode is
-        RRCA down to a range D_f, where k = kappa (D_f - D) / D_f and a_phi take over.
+Source  Yu, Yang 1998, sections 2 and 3; the formulas are in `guidance.range_rate`. RRCA thrusts
+        along the line of sight, ODRRCA adds a_phi across; the combined mode is RRCA down to a
+        range D_f, where k = kappa (D_f - D) / D_f and a_phi take over.
 """
 
 from math import radians
 from typing import ClassVar, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from rvd_dynamics.diagram.params import param, require, settings
 from rvd_dynamics.motion.kepler import Motion
-from rvd_missions.elliptic_rendezvous.gains import check_gains, FEED_FORWARDS, FORMS
+from rvd_groundstation.guidance.range_rate import (
+    across, check_gains, FEED_FORWARDS, feed_forward, FORMS, LineOfSight, range_rate)
 
 Array = NDArray[np.float64]
-LEAST_TURN = 0.05               # |1 + phi'| that R2 and R4 divide by, at least
-
-
-class LineOfSight(NamedTuple):
-    """Where the chaser is as the line of sight tells; each (...)."""
-
-    range: Array                # D [m]
-    direction: Array            # phi [rad]
-    range_rate: Array           # D. [m/s]
-    direction_rate: Array       # phi., against the turning orbital frame [rad/s]
 
 
 class Demand(NamedTuple):
@@ -41,56 +28,6 @@ class Demand(NamedTuple):
     range_rate: Array           # D._r [m/s]
     across: Array               # a_phi [m/s^2]
     near: NDArray[np.bool_]     # the second stage of the combined mode is on
-
-
-def line_of_sight(state: ArrayLike) -> LineOfSight:
-    """Return the line of sight in the orbital plane of states (..., 6)."""
-    state = np.asarray(state, dtype=float)
-    x, y, vx, vy = (state[..., i] for i in (0, 1, 3, 4))
-    d = np.sqrt(x*x + y*y)
-    return LineOfSight(d, np.arctan2(x, y), (x*vx + y*vy)/d, (y*vx - x*vy)/(d*d))
-
-
-def state_of(los: LineOfSight) -> Array:
-    """Return the states (..., 6) in the orbital plane; the inverse of `line_of_sight`."""
-    d, phi, closing, turning = np.broadcast_arrays(*los)
-    s, c, across = np.sin(phi), np.cos(phi), d*turning
-    o = np.zeros_like(d)
-    return np.stack([d*s, d*c, o, closing*s + across*c, closing*c - across*s, o], axis=-1)
-
-
-def wrap(angle: ArrayLike) -> Array:
-    """Return an angle in [-pi, pi)."""
-    angle = np.asarray(angle, dtype=float)
-    return angle - 2.0*np.pi*np.floor(angle/(2.0*np.pi) + 0.5)
-
-
-def range_rate(form: str, k: ArrayLike, k1: float, k2: float, los: LineOfSight,
-               target: Motion) -> Array:
-    """Return D._r [m/s] of one of the FORMS; `k` may differ from row to row."""
-    w, swing = target.rate, target.acceleration/target.rate         # nu., nu.. / nu.
-    if form == 'r1':
-        return los.range*(k*w + k1*los.direction_rate + k2*swing)
-    turn = 1.0 + los.direction_rate/w
-    turn = np.where(np.abs(turn) < LEAST_TURN, np.copysign(LEAST_TURN, turn), turn)
-    inner, outer = (0.0, k2*swing) if form == 'r2' else (k2*swing, 0.0)
-    return los.range*((k*w + k1*los.direction_rate + inner)/turn + outer)
-
-
-def across(q: float, q1: float, phi_d: float, los: LineOfSight, target: Motion,
-           feed_forward: ArrayLike) -> Array:
-    """Return a_phi [m/s^2]; `feed_forward` is ff."""
-    off, rate = wrap(los.direction - phi_d), los.direction_rate/target.rate
-    return los.range*target.rate**2*(feed_forward - q*off - q1*rate)
-
-
-def feed_forward(ff: str, k: ArrayLike, k2: float, phi_d: float, target: Motion,
-                 c: float) -> ArrayLike:
-    """Return ff of one of the FEED_FORWARDS, in units of D nu.^2; c = 1 + e cos nu."""
-    if ff == 'off':
-        return 0.0
-    held = 2.0*k + 1.5*np.sin(2.0*phi_d)/c                          # gravity and the closing
-    return held if ff == 'on' else held + (1.0 + 2.0*k2)*target.acceleration/target.rate**2
 
 
 @settings

@@ -8,10 +8,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rvd_dynamics.bad_input import BadInput
+from rvd_dynamics.commands.form import thrusters
 from rvd_dynamics.diagram.params import param, settings
 from rvd_dynamics.diagram.run import Run
 from rvd_dynamics.motion.kepler import EllipseParams
-from rvd_missions.elliptic_rendezvous.laws import LAWS, LineOfSight, Rrca, state_of
+from rvd_groundstation.guidance.range_rate import LineOfSight, state_of
+from rvd_missions.elliptic_rendezvous.laws import LAWS, Rrca
+
+ThrusterParams = thrusters(0.6)
 
 
 @settings
@@ -86,3 +90,8 @@ def checked(run: Run, orbit: EllipseParams, start: StartParams, arrival: Arrival
     if start.range_m <= arrival.range_m:
         raise BadInput(f'start.range_m must be above arrival.range_m = {arrival.range_m:g}, where '
                        f'the approach ends, got {start.range_m}')
+
+
+def away() -> tuple[int, int, int]:
+    """Return where an ABORT thrusts: nowhere, since away is another way on every side."""
+    return 0, 0, 0

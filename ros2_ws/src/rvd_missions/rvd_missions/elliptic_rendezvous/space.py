@@ -7,11 +7,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rvd_dynamics.commands.form import CommandForm
 from rvd_dynamics.diagram.params import param, settings
 from rvd_dynamics.diagram.run import Run
 from rvd_dynamics.motion import elliptic
 from rvd_dynamics.motion.kepler import EllipseParams
-from rvd_missions.elliptic_rendezvous.commands import AccelerationForm
 from rvd_missions.elliptic_rendezvous.end import ended
 from rvd_missions.elliptic_rendezvous.laws import Rrca
 from rvd_missions.elliptic_rendezvous.settings import ArrivalParams, StartParams
@@ -44,7 +44,7 @@ class SpacecraftDynamics:
     """The chaser's true motion relative to the target."""
 
     def __init__(self, settings: PlantParams, run: Run, orbit: EllipseParams, start: StartParams,
-                 arrival: ArrivalParams, law: Rrca, form: AccelerationForm, scatter: NDArray,
+                 arrival: ArrivalParams, law: Rrca, form: CommandForm, scatter: NDArray,
                  execution: NDArray, batch: tuple) -> None:
         self._run, self._orbit, self._form = run, orbit, form
         self._ends = (start, arrival, law.flies_around, run.last_step)

@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 
 from rvd_dynamics.diagram.params import param, settings
 from rvd_dynamics.motion.kepler import Motion
-from rvd_missions.elliptic_rendezvous.laws import Demand, LineOfSight
+from rvd_groundstation.guidance.range_rate import keeping, LineOfSight
+from rvd_missions.elliptic_rendezvous.laws import Demand
 
 THRUSTERS = ('ideal', 'pulses')
 
@@ -68,8 +69,7 @@ class Thrusters:
         z, out = state[..., 2], k*target.rate*state[..., 2] - state[..., 5]
         error = demand.range_rate - los.range_rate
         if p.thrusters == 'ideal':
-            turn, side = los.direction_rate + target.rate, np.cos(los.direction)
-            held = -los.range*(turn*turn + gravity*(3.0*side*side - 1.0))
+            held = keeping(los, target, gravity)
             return (np.clip(held + p.rate_gain_per_s*error, -most, most),
                     np.clip(demand.across, -most, most),
                     np.clip(gravity*z + p.rate_gain_per_s*out, -most, most))

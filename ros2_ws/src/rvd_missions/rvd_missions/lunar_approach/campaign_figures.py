@@ -1,5 +1,5 @@
 """
-The figures of a campaign of approaches: where runs dock, how they fly, where they fail.
+The figures of a campaign of approaches: where runs dock, fly and fail, and what it costs.
 
 They are drawn from the result table; tracks are flown again for the runs that are shown.
 """
@@ -15,6 +15,7 @@ from rvd_dynamics.diagram.scenario import Scenario
 from rvd_dynamics.geometry import cone
 from rvd_dynamics.recording.drawing import (
     BLUE, CampaignFigure, canvas, DASHED, INK, LINES, ORANGE)
+from rvd_missions.lunar_approach import cluttered
 from rvd_missions.lunar_approach.signals import TRUTH
 
 if TYPE_CHECKING:
@@ -22,6 +23,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure as Canvas
 
 LANDED, TRACKS = 300, 40                # runs shown per condition
+COMPARED = {'delta_v_m_s': 'delta-v [m/s]', 'duration_s': 'time [s]', 'offset_m': 'offset [m]',
+            'min_corridor_margin_m': 'least margin [m]'}
 Drawn = tuple['Canvas', str]
 
 
@@ -138,8 +141,42 @@ def failures(results: Any) -> Drawn:
     return figure, 'Share of all runs that have left the corridor before reaching each station.'
 
 
+def comparison(results: Any) -> Drawn:
+    """Draw success, delta-v, time, offset and least margin of every condition side by side."""
+    names = list(results.tables)
+    left = min(0.04 + 0.0068*max(map(len, names)), 0.5)         # room for the longest name
+    figure = canvas(1.0 + 0.27*len(names), left=left, wspace=0.12, top=0.15)
+    first, *panels = figure.subplots(1, 1 + len(COMPARED), sharey=True)
+    for at, name in enumerate(names):
+        row, table = results.rows[name], results.tables[name]
+        first.plot(row['wilson95'], [at, at], color=BLUE, linewidth=2.2)
+        first.plot(row['success_rate'], at, 'o', color=BLUE, markersize=5)
+        for panel, column in zip(panels, COMPARED):
+            _spread(panel, at, table[column][table['success']])
+    first.set(xlabel='success', xlim=(-0.05, 1.05))
+    first.set_yticks(range(len(names)), names)
+    first.set_ylim(len(names) - 0.4, -0.6)
+    for panel, label in zip(panels, COMPARED.values()):
+        panel.set(xlabel=label)
+    for panel in figure.axes:
+        panel.grid(axis='y', visible=False)
+    return figure, ('Success with its 95 % interval (Wilson). The others: median, quartiles, and 5 '
+                    'to 95 % of the successful runs of each condition.')
+
+
+def _spread(axes: 'Axes', at: int, values: NDArray[np.float64]) -> None:
+    if not len(values):
+        return
+    low, lower, middle, upper, high = np.quantile(values, [0.05, 0.25, 0.5, 0.75, 0.95])
+    axes.plot([low, high], [at, at], color=BLUE, linewidth=1.0)
+    axes.plot([lower, upper], [at, at], color=BLUE, linewidth=5.0, solid_capstyle='butt')
+    axes.plot(middle, at, 'o', color=ORANGE, markersize=4.5)
+
+
 FIGURES = {
     'landing': CampaignFigure(landing, 'At the docking plane', ('y_m', 'z_m'), tall=True),
     'tracks': CampaignFigure(tracks, 'Tracks', tall=True),
     'failures': CampaignFigure(failures, 'Where runs fail', ('failed_x_m',)),
+    'comparison': CampaignFigure(comparison, 'Conditions side by side', tuple(COMPARED), tall=True),
+    'cluttered': CampaignFigure(cluttered.draw, 'Among obstacles', cluttered.COLUMNS, tall=True),
 }

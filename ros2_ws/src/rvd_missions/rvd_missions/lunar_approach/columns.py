@@ -16,7 +16,7 @@ ORDER = (
     'failed_at_s', 'failed_x_m', 'failed_y_m', 'failed_z_m',    # NaN where a run succeeded
     'x_rate_m_s', 'offset_m', 'lateral_rate_m_s',
     'y_m', 'z_m', 'y_rate_m_s', 'z_rate_m_s',                   # at the docking plane, or NaN
-    'min_corridor_margin_m', 'delta_v_m_s',
+    'min_corridor_margin_m', 'delta_v_m_s', 'clearance_m?', 'start_room_m?',
     'steps', 'steps_nobody', 'steps_pilot', 'steps_auto', 'steps_blend', 'steps_changed')
 
 COLUMNS = {                             # those that are no measures: type

@@ -22,6 +22,7 @@ from rvd_dynamics.diagram.signal import Signal
 from rvd_dynamics.diagram.streams import Normals, PilotChance, StartNormals
 from rvd_dynamics.link.leg import leg
 from rvd_dynamics.link.signals import status
+from rvd_groundstation.guidance.keep_out import uses_covariance
 from rvd_missions.lunar_approach import HERE, signals
 from rvd_missions.lunar_approach.signals import (
     ARRIVAL, COMMAND, DOWNLINK, MEASUREMENT, SCORE, STICK, TELEMETRY, THRUST, TRUTH, UPLINK)
@@ -90,13 +91,20 @@ def _ground(scenario: Scenario, legs: Legs, estimate: Signal, prediction: Signal
               settings=settings['state_predictor']),
         *_operator(scenario, estimate, prediction),
         Block('auto_controller', f'{HERE}.ground:AutoController', GROUND,
-              reads={'prediction': now(prediction), **law_reads},
+              reads={'prediction': now(prediction, *_known_as_well(scenario)), **law_reads},
               writes={'auto': auto, **law_tells}, settings=settings['auto_controller']),
         Block('command_blender', f'{HERE}.ground:CommandBlender', GROUND,
               reads={**stick, **blender_hears, 'auto': now(auto)},
               writes={'command': command, 'uplink': UPLINK, **blender_tells},
               settings=settings['command_blender'], control=True),
     ]
+
+
+def _known_as_well(scenario: Scenario) -> tuple[str, ...]:
+    """Return what else of the prediction a law asks for, where there are obstacles."""
+    law = scenario.settings('auto_controller').selected
+    asks = scenario.part('obstacles').count and uses_covariance(law)
+    return ('covariance',) if asks else ()
 
 
 def _stick(scenario: Scenario) -> dict[str, Read]:

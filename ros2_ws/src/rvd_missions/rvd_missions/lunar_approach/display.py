@@ -16,17 +16,20 @@ from rvd_dynamics.commands.levels import HIGHEST, stick_axes, stick_levels, Stic
 from rvd_dynamics.constants import RADIUS_MOON
 from rvd_dynamics.diagram.display import (
     Axis, Ball, Body, Box, Camera, CameraMark, Chart, Charts, CommandAxis, CommandRow, Commands,
-    Controller, Cylinder, DERIVED, Display, Flat, Gauge, Instrument, Instruments, Label, Legend,
-    Line, Number, Perspective, Reading, Readout, Ref, Revolved, Ring, Section, Solid, Spot, Torus,
-    Trail, TRUTH)
+    Controller, Cylinder, DERIVED, Display, Flat, Gauge, Instrument, Instruments, Label,
+    Legend, Line, Number, Perspective, Reading, Readout, Ref, Revolved, Ring, Section, Solid,
+    Spot, Torus, Trail, TRUTH)
+from rvd_dynamics.diagram.run import Run
 from rvd_dynamics.geometry.cone import (
     Cone, control_boundary, distance_at, radius, signed_distance)
+from rvd_dynamics.geometry.obstacles import clearance
 from rvd_dynamics.motion import cw
 from rvd_dynamics.motion.orbit import OrbitParams, StartParams
 from rvd_groundstation.console.decode import Sample
 from rvd_groundstation.console.provider import MissionDisplay, RunFacts
 from rvd_missions.lunar_approach import signals
-from rvd_missions.lunar_approach.settings import DockingParams
+from rvd_missions.lunar_approach.scene import obstacle_spheres
+from rvd_missions.lunar_approach.settings import DockingParams, Obstacles
 
 TELEMETRY, ESTIMATE, PREDICTION, SCORE, AUTO, COMMAND, PILOT = (
     signal.name for signal in (signals.TELEMETRY, signals.ESTIMATE, signals.PREDICTION,
@@ -49,13 +52,17 @@ class LunarDisplay(MissionDisplay):
     heard_nodes = ('command_blender', 'state_predictor', 'auto_controller', 'console')
 
     def __init__(self, facts: RunFacts, orbit: OrbitParams, start: StartParams, cone: Cone,
-                 docking: DockingParams, stick: StickParams, approach_rate_m_s: float) -> None:
+                 docking: DockingParams, stick: StickParams, approach_rate_m_s: float,
+                 obstacles: Obstacles, run: Run) -> None:
         self._orbit, self._cone, self._docking, self._stick = orbit, cone, docking, stick
         self._rate_m_s = approach_rate_m_s
         self._start_m = tuple(start.position_m)
         self._loop_s = facts.forward_s + facts.back_s
         self._horizon = np.linspace(0.0, HORIZON_S, HORIZON_S + 1)
         self._drift = cw.transition(orbit.mean_motion, self._horizon)
+        self._obstacles = obstacle_spheres(obstacles, run)
+        self._places = np.array([sphere.place for sphere in self._obstacles]).reshape(-1, 3)
+        self._radii = obstacles.radii
         super().__init__(facts, self._display())
 
     # -- what is derived ------------------------------------------------------------------
@@ -66,6 +73,9 @@ class LunarDisplay(MissionDisplay):
         made: dict[str, Any] = {}
         for name, state in (('measured', measured), ('predicted', predicted)):
             made[f'wall_{name}'] = made[f'margin_{name}'] = None
+            if self._obstacles:
+                made[f'clearance_{name}'] = None if state is None else float(
+                    clearance(state[:3], self._places, self._radii).min())
             if state is not None:
                 made[f'wall_{name}'] = self._wall(state)
                 made[f'margin_{name}'] = float(signed_distance(state[:3], self._cone))
@@ -168,7 +178,7 @@ class LunarDisplay(MissionDisplay):
                      label='predicted'),
                 Body('truth', 'truth', chaser(), Ref(TRUTH, 'position'), label='truth'),
                 Body('station', 'target', station(self._cone.docking_radius_m))),
-            surfaces=self._surfaces(),
+            surfaces=(*self._surfaces(), *self._obstacles),
             lines=(
                 Trail('flown', 'measured', Ref(ESTIMATE, 'position')),
                 Trail('ahead', 'predicted', Ref(PREDICTION, 'position'),
@@ -180,7 +190,8 @@ class LunarDisplay(MissionDisplay):
             labels=tuple(Label(f'−{x} m', (-float(x), 0.0, 0.0)) for x in range(5, 40, 5)),
             legend=(
                 Legend('measured', 'measured'), Legend('predicted', 'predicted, 2σ tube'),
-                Legend('predicted', 'drift from there', dashed=True), Legend('limit', 'corridor'),
+                Legend('predicted', 'drift from there', dashed=True),
+                Legend('limit', 'corridor, obstacles' if self._obstacles else 'corridor'),
                 Legend('guide', 'control boundary', dashed=True)),
             views=(
                 Perspective('Orbit', distance_m=4.0, follow=('chaser', 'truth'), along='+x',
@@ -197,9 +208,9 @@ class LunarDisplay(MissionDisplay):
                             high=Number(DERIVED, f'wall_{role}'))
                     for role, signal in (('measured', TELEMETRY), ('predicted', PREDICTION)))),
                 Instrument('lateral rate', 'm/s', both('velocity', (1, 2), None, lateral), 3),
-                Instrument('wall margin', 'm', tuple(
-                    Reading(role, Number(DERIVED, f'margin_{role}'), low=0.0)
-                    for role in ('measured', 'predicted'))))),
+                Instrument('wall margin', 'm', margins('margin')),
+                *((Instrument('clearance', 'm', margins('clearance')),)
+                  if self._obstacles else ()))),
             section=self._cut(),
             commands=Commands('Thrust levels', tuple(CommandAxis(a, HIGHEST) for a in 'xyz'),
                               COMMAND, (
@@ -298,6 +309,12 @@ def both(part: str, index: tuple[int, ...], low: float | None = None, high: floa
     """Return the readings of one part as measured and as predicted."""
     return tuple(Reading(role, Number(signal, part, index), low, high)
                  for role, signal in (('measured', TELEMETRY), ('predicted', PREDICTION)))
+
+
+def margins(name: str) -> tuple[Reading, ...]:
+    """Return the readings of a derived distance that must not fall below 0."""
+    return tuple(Reading(role, Number(DERIVED, f'{name}_{role}'), low=0.0)
+                 for role in ('measured', 'predicted'))
 
 
 def errors(title: str, index: tuple[int, ...], factor: float) -> Chart:

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rvd_dynamics.commands.levels import stick_levels
+from rvd_dynamics.diagram.scenario import Scenario
 from rvd_dynamics.geometry import cone
 from rvd_dynamics.recording.drawing import (
     ABOVE, BLUE, canvas, CORNER, DASHED, every, Figure, GREEN, INK, MUTED, ORANGE, VERMILLION)
@@ -57,6 +58,7 @@ def _side_view(axes: 'Axes', run: Recording, lateral: int) -> None:
     if run.has(PREDICTION.name):
         axes.plot(*_shown(run.of(PREDICTION).state, lateral), **PREDICTED, label='predicted')
     axes.plot(state[0, 0], state[0, lateral], 'o', color=INK, markersize=5, label='start')
+    draw_obstacles(axes, run.scenario, lateral)
     _mark_exit(axes, run, lateral)
     widest = float(wall.max())
     seen = np.abs(_shown(state, lateral)[1])
@@ -65,6 +67,16 @@ def _side_view(axes: 'Axes', run: Recording, lateral: int) -> None:
              xlim=(first - 0.3, 0.6), ylim=(-limit, limit))
     axes.axvline(0.0, color=MUTED, linewidth=0.8)
     axes.set_title(f'x-{AXES[lateral]} plane')
+
+
+def draw_obstacles(axes: 'Axes', scenario: Scenario, lateral: int, run: int | None = None) -> None:
+    """Draw the keep-out spheres of a run into a side view, whose scales differ: as ellipses."""
+    from matplotlib.patches import Circle
+    obstacles, number = scenario.part('obstacles'), scenario.run.run if run is None else run
+    places = obstacles.places(scenario.run.seed, [number], ())
+    for place, radius in zip(places, obstacles.radii):
+        axes.add_patch(Circle((place[0], place[lateral]), radius, color=VERMILLION, alpha=0.55,
+                              linewidth=0))
 
 
 def _boundary(run: Recording, x: NDArray) -> NDArray:

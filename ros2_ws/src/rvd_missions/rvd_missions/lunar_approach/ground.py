@@ -2,7 +2,7 @@
 The ground segment of the approach: predictor, operators, law and blender as blocks.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -16,8 +16,10 @@ from rvd_dynamics.diagram.run import Legs, Run
 from rvd_dynamics.diagram.scenario import Scenario
 from rvd_dynamics.diagram.streams import PilotDraws
 from rvd_dynamics.geometry.cone import Cone, SLOWEST_RATE
+from rvd_dynamics.geometry.keep_out import Stop
 from rvd_dynamics.motion.orbit import OrbitParams, StartParams
 from rvd_groundstation.guidance import Law
+from rvd_groundstation.guidance.keep_out import among, Map, uses_covariance
 from rvd_groundstation.operators.operation import MODES, Operation
 from rvd_groundstation.operators.pilot import Pilot, PilotParams
 from rvd_groundstation.operators.tape import read_tape, Tape
@@ -26,6 +28,7 @@ from rvd_groundstation.prediction.predictor import Predictor, PredictorParams
 from rvd_groundstation.prediction.score import Score
 from rvd_groundstation.sharing import decide
 from rvd_groundstation.sharing.decision import Sharing
+from rvd_missions.lunar_approach.settings import Obstacles
 from rvd_missions.lunar_approach.signals import (
     AUTO, COMMAND, ESTIMATE, MODE, PREDICTION, READING, SCORE, STICK, UNTOLD, UPLINK)
 
@@ -155,7 +158,12 @@ class AutoController:
     last one told.
     """
 
-    def __init__(self, law: Law, form: LevelForm, operation: Operation, block: Block) -> None:
+    def __init__(self, law: Law, form: LevelForm, operation: Operation, obstacles: Obstacles,
+                 run: Run, runs: Sequence[int], batch: tuple, block: Block,
+                 stop: Stop | None) -> None:
+        self._asks = bool(obstacles.count) and uses_covariance(law)
+        if obstacles.count:             # the map is known before the flight
+            law = among(law, Map(obstacles.places(run.seed, runs, batch), obstacles.radii, stop))
         self._law, self._form, self._mode = law, form, operation.mode
         self._tells = 'reading' in block.writes
 
@@ -168,7 +176,8 @@ class AutoController:
         seen = None
         if stick is not None and self._mode != 'auto' and np.any(stick.valid):
             seen = np.broadcast_to(stick.command, (*prediction.state.shape[:-1], 3))
-        wanted = self._law.wanted(prediction.state, seen)
+        well = {'covariance': prediction.covariance} if self._asks else {}
+        wanted = self._law.wanted(prediction.state, seen, **well)
         made = {'auto': AUTO(command=self._form.quantise(wanted), valid=prediction.valid)}
         return made | ({'reading': _reading(stick)} if self._tells else {})
 

@@ -6,8 +6,11 @@ run ends at its first root of x = 0, or at the time limit.
 Source  Zhang, Li, Tang 2014, section 3.2: success means (i) inside the corridor throughout,
         (ii) at x = 0: closing rate between 0 and 0.3 m/s, offset below the docking radius,
         lateral rate below 0.3 m/s.
+Ours    among obstacles a contact ends the run, whatever came before it; a run whose time is up
+        before it has passed the far side of an obstacle is a deadlock.
 """
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -19,14 +22,21 @@ from rvd_dynamics.diagram.run import Run
 from rvd_dynamics.geometry import arc
 from rvd_dynamics.geometry.cone import Cone
 from rvd_dynamics.geometry.excursion import Excursion
+from rvd_dynamics.geometry.keep_out import start_room, Stop
+from rvd_dynamics.geometry.obstacles import Closest
+from rvd_dynamics.motion.orbit import OrbitParams
 from rvd_missions.lunar_approach.end import ended, time_is_up
-from rvd_missions.lunar_approach.settings import DockingParams
+from rvd_missions.lunar_approach.settings import DockingParams, Obstacles
 
 # Of several reasons the lowest number is given.
 (UNDER_WAY, DOCKED, INVALID, LEFT_CORRIDOR, CLOSING_RATE, OFFSET, LATERAL_RATE,
- TIMEOUT) = range(8)
+ TIMEOUT, CONTACT, DEADLOCK) = range(10)
 REASONS = np.array(['', 'docked', 'invalid', 'left_corridor', 'closing_rate', 'offset',
-                    'lateral_rate', 'timeout'])
+                    'lateral_rate', 'timeout', 'contact', 'deadlock'])
+AMONG = {
+    'contact': 'touched an obstacle',
+    'deadlock': 'did not get past an obstacle in time',
+}
 
 
 class Judge:
@@ -48,7 +58,9 @@ class Judge:
     }
 
     def __init__(self, run: Run, cone: Cone, docking: DockingParams,
-                 batch: tuple[int, ...] = ()) -> None:
+                 batch: tuple[int, ...] = (), runs: Sequence[int] | None = None,
+                 obstacles: Obstacles = Obstacles(), orbit: OrbitParams = OrbitParams(),
+                 stop: Stop | None = None) -> None:
         self.measures = (
             Measure('x_rate_m_s', 'm/s', 'closing rate at docking', 0.0,
                     docking.max_closing_rate_m_s, digits=4),
@@ -62,6 +74,15 @@ class Judge:
             Measure('exit_x_m', 'm', 'x at the exit', digits=2),
             Measure('exit_y_m', 'm', 'y at the exit', digits=2),
             Measure('exit_z_m', 'm', 'z at the exit', digits=2))
+        self._among = None
+        if obstacles.count:
+            self.reasons = {**self.reasons, **AMONG}
+            self.measures += (
+                Measure('clearance_m', 'm', 'least clearance of an obstacle', low=0.0),
+                Measure('start_room_m', 'm', 'room of the start, feasible from 0'))
+            runs = [run.run] if runs is None else runs
+            self._among = _Among(obstacles.places(run.seed, runs, batch), obstacles.radii, orbit,
+                                 stop, run, int(np.prod(batch, dtype=int)))
         self._step_s, self._last_step = run.step_s, run.last_step
         self._cone, self._docking_limits = cone, docking
         self._batch = batch
@@ -99,6 +120,9 @@ class Judge:
         self._step = 0
         self._end(ended(0, self._state.T, self._last_step), INVALID, 0)
         self._excursion.start(self._state[:3], self._live)
+        if self._among is not None:
+            self._among.start(self._state)
+            self._end(self._live & self._among.follow(self._state, self._live), CONTACT, 0)
 
     def advance(self, step: int, state: ArrayLike, accel: ArrayLike) -> None:
         """
@@ -128,6 +152,8 @@ class Judge:
                out=self._delta_v, where=self._live)
         if docked.any():
             self._judge_docking(points, docked, flown)
+        if self._among is not None:             # a run that docked in this step has docked
+            self._end(self._live & self._among.follow(self._state, self._live), CONTACT, step)
         if time_is_up(step, self._last_step):   # every other end has been closed above
             self._end(self._live.copy(), TIMEOUT, step)
 
@@ -135,11 +161,15 @@ class Judge:
         """Return the judgement so far; with `final` a run still under way has timed out."""
         margin, exit_time, exit_position = self._excursion.result()
         reason = np.where(self._live & final, TIMEOUT, self._reason)
-        judged = (reason != UNDER_WAY) & (reason != INVALID)
+        more = ()
+        if self._among is not None:
+            reason[(reason == TIMEOUT) & self._among.short()] = DEADLOCK
+            more = self._among.clearance, self._among.room
+        judged = ~np.isin(reason, (UNDER_WAY, INVALID, CONTACT, DEADLOCK))
         reason[judged & ~np.isnan(exit_time)] = LEFT_CORRIDOR       # it came first
         duration = np.where(self._live, max(self._step, 0)*self._step_s, self._end_time)
         values = (self._x_rate, self._offset, self._lateral_rate, margin, self._delta_v,
-                  exit_time, *exit_position)
+                  exit_time, *exit_position, *more)
         return Verdict(
             self._shaped(reason == DOCKED), self._shaped(REASONS[reason]), self._shaped(duration),
             {m.name: self._shaped(v) for m, v in zip(self.measures, values, strict=True)})
@@ -194,6 +224,36 @@ class Judge:
         if rows.shape != (*self._batch, width):
             raise BadInput(f'expected shape {(*self._batch, width)}, got {rows.shape}')
         return np.array(rows.reshape(-1, width).T, order='C')
+
+
+class _Among:
+    """What runs among obstacles are judged by besides; arrays (n,)."""
+
+    def __init__(self, places: NDArray, radii: NDArray, orbit: OrbitParams, stop: Stop, run: Run,
+                 n: int) -> None:
+        self._places = np.broadcast_to(places, (n, *places.shape[-2:])) if places.ndim == 2 \
+            else places.reshape(n, *places.shape[-2:])
+        self._radii, self._closest = radii, Closest(radii)
+        self._orbit, self._stop, self._run = orbit, stop, run
+        self.clearance = np.full(n, np.inf)
+        self.room = np.full(n, np.nan)
+        self._station = np.full(n, np.nan)
+
+    def start(self, state: NDArray) -> None:
+        """Take the states (6, n) of step 0 and say what room they leave."""
+        self.room = start_room(state.T, self._places, self._radii, self._stop,
+                               self._orbit.mean_motion, self._run.step_s)
+
+    def follow(self, state: NDArray, live: NDArray[np.bool_]) -> NDArray[np.bool_]:
+        """Take states (6, n) of the next step and return which have touched something."""
+        gap = self._closest.follow(state[:3].T, self._places)
+        np.minimum(self.clearance, gap, out=self.clearance, where=live)
+        self._station = state[0]
+        return ~(gap > 0.0)
+
+    def short(self) -> NDArray[np.bool_]:
+        """Return which have an obstacle whose far side they have not passed."""
+        return (self._places[..., 0] + self._radii > self._station[:, None]).any(axis=-1)
 
 
 def _to_go(points: arc.Array) -> arc.Function:

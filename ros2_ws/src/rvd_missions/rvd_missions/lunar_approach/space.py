@@ -2,6 +2,7 @@
 The space segment of the approach: the true motion, and the sensor.
 """
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -15,6 +16,7 @@ from rvd_dynamics.world.plants.relative import TRUTH_MODELS
 from rvd_dynamics.world.settings import DynamicsParams, SensorParams
 from rvd_dynamics.world.spacecraft.thrusters import execute
 from rvd_missions.lunar_approach.end import ended
+from rvd_missions.lunar_approach.settings import Obstacles
 from rvd_missions.lunar_approach.signals import DOWNLINK, MEASUREMENT, TRUTH
 
 
@@ -22,11 +24,13 @@ class SpacecraftDynamics:
     """The chaser's true motion relative to the target."""
 
     def __init__(self, settings: DynamicsParams, run: Run, orbit: OrbitParams, start: StartParams,
-                 form: LevelForm, scatter: NDArray, execution: NDArray, batch: tuple) -> None:
+                 form: LevelForm, obstacles: Obstacles, runs: Sequence[int], scatter: NDArray,
+                 execution: NDArray, batch: tuple) -> None:
         self._model = TRUTH_MODELS[settings.truth_model](orbit, run.step_s)
         self._form, self._last_step = form, run.last_step
         self._noise, self._noise_fraction = execution, settings.execution_noise_fraction
         self._state = settings.start(start, scatter)
+        self._places, self._radii = obstacles.places(run.seed, runs, batch), obstacles.radii
         self._acceleration = np.full((*batch, 3), np.nan)
 
     def step(self, k: int, thrust: Any) -> dict[str, Any]:
@@ -35,8 +39,8 @@ class SpacecraftDynamics:
             self._acceleration = execute(self._form.effect(thrust.command),
                                          self._noise[..., k - 1, :], self._noise_fraction)
             self._state = self._model.advance(self._state, self._acceleration)
-        return {'truth': TRUTH(state=self._state, acceleration=self._acceleration,
-                               final=ended(k, self._state, self._last_step))}
+        final = ended(k, self._state, self._last_step, self._places, self._radii)
+        return {'truth': TRUTH(state=self._state, acceleration=self._acceleration, final=final)}
 
 
 class RelativeSensor:

@@ -18,7 +18,7 @@ MISSION = Mission(
         Shared('start', f'{HERE}.settings:Start', 'start.'),
         Shared('craft', f'{HERE}.settings:Craft', 'craft.'),
         Shared('obstacles', f'{HERE}.settings:Obstacles', 'obstacles.'),
-        Shared('thrust', 'rvd_dynamics.commands.form:ThrusterParams', 'thrust.'),
+        Shared('thrust', f'{HERE}.settings:ThrusterParams', 'thrust.'),
         Shared('speed_corridor', 'rvd_dynamics.geometry.speed_corridor:SpeedCorridor',
                'speed_corridor.'),
     ),
@@ -33,7 +33,7 @@ MISSION = Mission(
     },
     parts={
         'legs': 'rvd_dynamics.diagram.run:legs',
-        'form': f'{HERE}.settings:form',
+        'form': 'rvd_dynamics.commands.form:thruster_form',
         'away': f'{HERE}.settings:away',
         'law': f'{HERE}.settings:law',
         'contact_m': f'{HERE}.settings:contact_m',

@@ -9,6 +9,7 @@ The data flow of the approach among obstacles: the only place where it is writte
                                                              +-> auto_controller -> link_forward
 """
 
+from rvd_dynamics.commands.form import part
 from rvd_dynamics.diagram.block import Block, GROUND, last, now, ONBOARD, WATCH, WORLD
 from rvd_dynamics.diagram.diagram import Diagram
 from rvd_dynamics.diagram.scenario import Scenario
@@ -17,14 +18,10 @@ from rvd_dynamics.link.leg import leg
 from rvd_missions.obstacle_field import HERE, NAME
 from rvd_missions.obstacle_field.signals import ESTIMATE, PREDICTION, Signals, signals
 
-UNITS = {'f': 'm/s^2', 'i': 'levels'}
-
 
 def signals_of(scenario: Scenario) -> Signals:
     """Return the signals of a scenario: their layout is that of its obstacles and commands."""
-    form = scenario.part('form')
-    kind = form.neutral.dtype
-    return signals(scenario.part('obstacles').count, kind.str[1:], UNITS[kind.kind])
+    return signals(scenario.part('obstacles').count, part(scenario.part('form')))
 
 
 def diagram(scenario: Scenario) -> Diagram:

@@ -5,17 +5,13 @@ When a run ends: said once, for the plant and for the judge.
 import numpy as np
 from numpy.typing import NDArray
 
+from rvd_dynamics.geometry.obstacles import clearance
+
 
 def distance(state: NDArray) -> NDArray[np.float64]:
     """Return the distance (...) of states (..., 6) from the target [m]."""
     x, y, z = state[..., 0], state[..., 1], state[..., 2]
     return np.sqrt(x*x + y*y + z*z)
-
-
-def clearance(state: NDArray, obstacles: NDArray, reach_m: NDArray) -> NDArray[np.float64]:
-    """Return the gaps (..., M) between chaser (..., 6) and obstacles (..., M, 6) [m]."""
-    x, y, z = (state[..., i, None] - obstacles[..., i] for i in range(3))
-    return np.sqrt(x*x + y*y + z*z) - reach_m
 
 
 def ended(k: int, state: NDArray, obstacles: NDArray, reach_m: NDArray, arrival_m: float,

@@ -2,8 +2,7 @@
 The judge: did the chaser arrive without touching anything? From the truth alone.
 
 Propellant, of three independent pairs of thrusters: m (1 - exp(-dv / (Isp g0))), dv the sum over
-the axes of |a| dt. Clearance is followed between samples along the chord of the relative motion;
-the arc departs from it by at most |a| dt^2 / 8.
+the axes of |a| dt. Clearance is followed between samples (`geometry.obstacles`).
 """
 
 from collections.abc import Callable
@@ -14,6 +13,7 @@ from numpy.typing import NDArray
 
 from rvd_dynamics.diagram.judge import Measure, Verdict
 from rvd_dynamics.diagram.run import Run
+from rvd_dynamics.geometry.obstacles import Closest
 from rvd_dynamics.geometry.speed_corridor import SpeedCorridor
 from rvd_missions.obstacle_field.end import distance
 from rvd_missions.obstacle_field.settings import Craft
@@ -58,7 +58,7 @@ class Judge:
         self._first, self._last = np.full((2, *batch), NAN)     # speeds within NEAR_M
         self._clearance = np.full(batch, np.inf if len(reach_m) else NAN)
         self._arrival = np.full(batch, NAN)
-        self._before: list[NDArray] | None = None
+        self._closest = Closest(reach_m)
 
     def follow(self, k: int, truth: Any) -> None:
         """Take the truth of step k, every step in order."""
@@ -78,7 +78,7 @@ class Judge:
                                    self._one_engine)
         touched = np.zeros_like(self._ended)
         if len(self._reach_m):
-            least = self._least_clearance(state, truth.obstacles)
+            least = self._closest.follow(state, truth.obstacles)
             self._clearance = put(np.minimum(self._clearance, least), self._clearance)
             touched = live & ~(least > 0.0)
         r = distance(state)
@@ -109,22 +109,6 @@ class Judge:
         x, y, z = np.abs(engines - self._engines)
         self._switches = put(self._switches + (x + y + z), self._switches)
         self._engines = engines
-
-    def _least_clearance(self, state: NDArray, obstacles: NDArray) -> NDArray:
-        """Return the least gap (...) to any obstacle since the sample before."""
-        away = [state[..., i, None] - obstacles[..., i] for i in range(3)]
-        x, y, z = away
-        square = x*x + y*y + z*z
-        if self._before is not None:
-            a, b, c = self._before
-            u, v, w = x - a, y - b, z - c
-            length = u*u + v*v + w*w
-            s = -(a*u + b*v + c*w) / np.where(length > 0.0, length, 1.0)
-            s = np.minimum(np.maximum(s, 0.0), 1.0)
-            p, q, r = a + s*u, b + s*v, c + s*w
-            square = np.minimum(square, p*p + q*q + r*r)
-        self._before = away
-        return (np.sqrt(square) - self._reach_m).min(axis=-1)
 
     def verdict(self, final: bool = False) -> Verdict:
         """Return the verdict so far; with `final`, a run still under way has timed out."""

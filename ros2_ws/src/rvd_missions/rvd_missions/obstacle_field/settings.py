@@ -12,12 +12,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rvd_dynamics.commands.form import CommandForm
+from rvd_dynamics.commands.form import thrusters
 from rvd_dynamics.diagram.params import param, require, settings
 from rvd_dynamics.diagram.run import Run
 from rvd_dynamics.diagram.scenario import Scenario
+from rvd_dynamics.geometry.obstacles import require_apart, Spheres
 
 STATIC, ORBIT = MOTIONS = ('static', 'orbit')
+ThrusterParams = thrusters(0.01)
 
 
 @settings
@@ -73,32 +75,17 @@ class Craft:
 
 
 @settings
-class Obstacles:
+class Obstacles(Spheres):
     """What is known of the obstacles before the flight: how many, how large, how they move."""
 
-    number: int = param(
-        -1, 'Number of obstacles, the first ones of those listed, where -1 means all.', low=-1,
-        high=64)
-    radius_m: tuple = param((0.6, 0.6, 0.6), 'Radius of each obstacle [m].', above=0.0, high=1000.0)
     motion: tuple = param(
         (STATIC, STATIC, STATIC), 'How each obstacle moves: static in the frame of the target, or on '
         'an orbit of its own.', choices=MOTIONS)
 
     def __post_init__(self) -> None:
-        require(self.number <= len(self.radius_m), 'number',
-                f'be at most the {len(self.radius_m)} that radius_m lists', self.number)
+        Spheres.__post_init__(self)
         require(len(self.motion) == len(self.radius_m), 'motion',
                 f'be {len(self.radius_m)} words, one for each radius_m', list(self.motion))
-
-    @property
-    def count(self) -> int:
-        """How many there are."""
-        return len(self.radius_m) if self.number < 0 else self.number
-
-    @property
-    def radii(self) -> NDArray[np.float64]:
-        """Radii (M,) [m]."""
-        return np.array(self.radius_m[:self.count])
 
     @property
     def moving(self) -> NDArray[np.bool_]:
@@ -122,11 +109,6 @@ def away(start: Start) -> tuple[int, int, int]:
     """Return signs of x, y, z that lead away from the target, along the longest axis."""
     longest = int(np.argmax(np.abs(start.position_m)))
     return tuple(int(np.sign(v)) if i == longest else 0 for i, v in enumerate(start.position_m))
-
-
-def form(scenario: Scenario) -> CommandForm:
-    """Return the command form of the thrusters."""
-    return scenario.wired(scenario.part('thrust').selected)
 
 
 def law(scenario: Scenario) -> Any:
@@ -159,11 +141,8 @@ def clear_start(scenario: Scenario, start: Start, craft: Craft, obstacles: Obsta
     where = world.states(obstacles)
     for i, (place, radius) in enumerate(zip(where[:, :3], obstacles.radii)):
         key = f'spacecraft_dynamics: obstacles.position_m of obstacle {i + 1}'
-        least = craft.target_radius_m + radius
-        require(float(np.sqrt(place @ place)) > least, key,
-                f'be more than {least:g} m from the target, which it would overlap', place.tolist())
-        gap = place - first
-        least = craft.chaser_radius_m + radius
-        require(float(np.sqrt(gap @ gap)) > least, key,
-                f'be more than {least:g} m from the start, where the chaser is', place.tolist())
+        require_apart(key, place, np.zeros(3), craft.target_radius_m + radius,
+                      'the target, which it would overlap')
+        require_apart(key, place, first, craft.chaser_radius_m + radius,
+                      'the start, where the chaser is')
     return True

@@ -41,10 +41,9 @@ class Signals(NamedTuple):
 
 
 @lru_cache(maxsize=16)
-def signals(obstacles: int, dtype: str, unit: str) -> Signals:
-    """Return the signals for a number of obstacles and a command of a numpy type and a unit."""
+def signals(obstacles: int, command: Part) -> Signals:
+    """Return the signals for a number of obstacles and the part that carries a command."""
     sent = Part('state', (6 + 6*obstacles,), 'm, m/s')
-    command = Part('command', (3,), unit, dtype, initial=0.0)
     around = Part('obstacles', (obstacles, 6), 'm, m/s')
     return Signals(
         Signal(TRUTH, (_state, Part('acceleration', (3,), 'm/s^2'), around,

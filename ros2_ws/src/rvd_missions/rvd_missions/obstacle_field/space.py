@@ -14,6 +14,7 @@ from rvd_dynamics.commands.form import CommandForm
 from rvd_dynamics.diagram.block import Block
 from rvd_dynamics.diagram.params import param, require, settings
 from rvd_dynamics.diagram.run import Run
+from rvd_dynamics.geometry.obstacles import rows_of
 from rvd_dynamics.motion import cw
 from rvd_dynamics.world.spacecraft.thrusters import execute
 from rvd_missions.obstacle_field.end import ended
@@ -41,15 +42,12 @@ class ObstacleStates:
             If the lists do not fit the obstacles, or a static one has a velocity.
         """
         listed = len(obstacles.radius_m)
-        require(len(self.position_m) == 3*listed, 'position_m',
-                f'be {3*listed} numbers, three for each of obstacles.radius_m',
-                list(self.position_m))
+        places = rows_of('position_m', self.position_m, listed, 'obstacles.radius_m')
         velocity = self.velocity_m_s if tuple(self.velocity_m_s) != (0.0,) else (0.0,)*(3*listed)
         require(len(velocity) == 3*listed, 'velocity_m_s',
                 f'be {3*listed} numbers, three for each of obstacles.radius_m, or a single 0',
                 list(velocity))
-        made = np.concatenate([np.reshape(self.position_m, (-1, 3)), np.reshape(velocity, (-1, 3))],
-                              axis=1)
+        made = np.concatenate([places, np.reshape(velocity, (-1, 3))], axis=1)
         for i, (state, motion) in enumerate(zip(made, obstacles.motion)):
             require(motion != STATIC or not np.any(state[3:]), 'velocity_m_s',
                     f'be 0 of obstacle {i + 1}, which is static', state[3:].tolist())

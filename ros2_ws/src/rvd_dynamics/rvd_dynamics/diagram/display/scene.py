@@ -200,6 +200,7 @@ class Field:
     still: tuple[Sphere, ...]
     moving: tuple[Spheres, ...]
     craft_radius_m: float
+    corridor: bool = False      # with the corridor and the control boundary of an approach
 
     def __post_init__(self) -> None:
         require_positive('field.craft_radius_m', self.craft_radius_m)

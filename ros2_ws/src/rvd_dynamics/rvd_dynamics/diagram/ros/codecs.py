@@ -189,8 +189,9 @@ class Estimate(_State):
         return self.packed(k, value.state, bool(value.valid), covariance=value.covariance)
 
     def decode(self, k: int, message: RelativeState) -> Any:
-        """Return the value in a message, without the covariance, which no block reads."""
-        return self.signal(state=state_from_msg(message), valid=np.bool_(message.valid))
+        """Return the value in a message; where nothing is estimated the covariance is NaN."""
+        return self.signal(state=state_from_msg(message), valid=np.bool_(message.valid),
+                           covariance=np.reshape(message.covariance, (6, 6)))
 
 
 class Prediction(Estimate):

@@ -7,7 +7,6 @@ real time a block that has not fired for k when an input of a later firing arriv
 what it holds; the rest is MISSING, and its codec says what that is worth.
 """
 
-from math import inf
 from typing import Any
 
 from rclpy.callback_groups import CallbackGroup
@@ -39,7 +38,7 @@ class FiringNode(RunNode):
         self._held: dict[str, HeldInput] = {}
         self._last: Input | None = None         # the input that comes last
         self._gated = False
-        self._limit = inf                       # last step that may be fired so far
+        self._limit = self.run.last_step        # last step that may be fired so far
         host.firing.append(self)
 
     # -- inputs -----------------------------------------------------------------------------
@@ -125,7 +124,8 @@ class FiringNode(RunNode):
             self.watch(topic, kind, lambda message: heard(-1, message))
 
     def _on_clock(self, step: int, message: Any) -> None:
-        self._limit = step if step >= 0 else ns_of(message.clock) // self.run.step_ns
+        now = step if step >= 0 else ns_of(message.clock) // self.run.step_ns
+        self._limit = min(now, self.run.last_step)
 
     def _came(self, name: str, step: int, item: Any) -> None:
         """Take in what the writer of an input wrote in `step`."""

@@ -80,11 +80,12 @@ class Markers(RunNode):
                 self._paths[topic] = Path(header=Header(frame_id=self.run.frame_id))
         self._pictures = 0
         self._moving: dict[str, tuple[Spheres, Parts]] = {}
-        if self._field is None:
+        still = {}
+        if self._field is None or self._field.corridor:
             still = still_scene(self.scenario, self._params.boundary_rate_m_s
                                 or self.scenario.part('approach_rate_m_s'))
-        else:
-            still = {'/viz/target': still_spheres(self._field, self.run.frame_id)}
+        if self._field is not None:
+            still |= {'/viz/target': still_spheres(self._field, self.run.frame_id)}
             for spheres in self._field.moving:
                 signal = self.scenario.diagram.signals[spheres.rows.signal]
                 self._moving[signal.name] = spheres, Parts(signal, self.run)
@@ -200,10 +201,10 @@ def still_scene(scenario: Scenario, rate: float) -> dict[str, MarkerArray]:
 def still_spheres(field: Field, frame_id: str) -> MarkerArray:
     """Return the spheres of a scene that stand still."""
     header = Header(frame_id=frame_id)
+    looks = {'target': (KNOWN, 0.9), 'limit': (OBSTACLE, 0.75)}
     return MarkerArray(markers=[
         sphere(header, each.name, 0, list(each.place), each.radius_m,
-               KNOWN if each.role == 'target' else BOUNDARY, 0.9 if each.role == 'target' else 0.15)
-        for each in field.still])
+               *looks.get(each.role, (BOUNDARY, 0.15))) for each in field.still])
 
 
 def sphere(header: Header, name: str, number: int, place: list, radius: float, colour: tuple,
