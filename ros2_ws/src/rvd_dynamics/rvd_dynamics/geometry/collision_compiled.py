@@ -9,28 +9,19 @@ Method  In the principal axes (deviations s1 <= s2 <= s3, mean m) the ball is cu
 Bounds  The ball lies within the cube about it and within the slab that the direction of the mean
         is normal to, and the cube inscribed in it lies within the ball.
 
-Import it where it is used: numba takes a second. Each function is compiled once for a machine and
-kept beside its source, or in the user's cache; where neither can be written, once a process.
+Import it where it is used; see `compiled`.
 """
 
-from collections.abc import Callable
 from math import asin, cos, erf, exp, isfinite, nan, pi, sin, sqrt
 
-from numba import njit
 import numpy as np
+
+from rvd_dynamics.compiled import compiled
 
 CUT = 6.0                               # [standard deviations]
 NODES = 32                              # of each of the two rules: an error of 1e-8
 X, W = np.polynomial.legendre.leggauss(NODES)
 SWEEPS = 8                              # of Jacobi's rotations; three reach 1e-16 as a rule
-
-
-def compiled(function: Callable) -> Callable:
-    """Compile a function, kept on disk where there is a place for it."""
-    try:
-        return njit(cache=True, error_model='numpy')(function)
-    except RuntimeError:                # "no locator available": read-only everywhere
-        return njit(error_model='numpy')(function)
 
 
 @compiled

@@ -1,0 +1,49 @@
+"""
+Docking: a chaser with panels and tanks comes from 3 m to hover 7 cm before the port of its target.
+
+Source  An Hao, Qu Zhenshen, Wang Changhong, J. System Simulation 27(6), 2015, pp. 1227-1234.
+"""
+
+from rvd_dynamics.diagram.mission import Mission, Shared
+
+HERE = 'rvd_missions.docking'
+SETTINGS = f'{HERE}.settings'
+
+MISSION = Mission(
+    name='docking',
+    title='A chaser with panels and sloshing tanks hovers 7 cm before the port of its target.',
+    shared=(
+        Shared('run', f'{SETTINGS}:Run'),
+        Shared('orbit', f'{SETTINGS}:OrbitParams', 'orbit.'),
+        Shared('chaser', f'{SETTINGS}:Chaser', 'chaser.'),
+        Shared('panels', f'{SETTINGS}:Panels', 'panels.'),
+        Shared('tanks', f'{SETTINGS}:Tanks', 'tanks.'),
+        Shared('start', f'{SETTINGS}:Start', 'start.'),
+        Shared('aim', f'{SETTINGS}:Aim', 'aim.'),
+        Shared('limits', f'{SETTINGS}:Limits', 'limits.'),
+        Shared('seeing', f'{SETTINGS}:Seeing', 'seeing.'),
+        Shared('camera', 'rvd_dynamics.geometry.pinhole:CameraParams', 'camera.'),
+        Shared('thruster', 'rvd_dynamics.world.spacecraft.reaction_control:ThrusterParams',
+               'thruster.'),
+    ),
+    sections={
+        'docking_dynamics': f'{HERE}.space:DynamicsParams',
+        'inertial_unit': 'rvd_dynamics.world.sensors.inertial:InertialParams',
+        'camera': f'{HERE}.space:SeeingParams',
+        'vision': 'rvd_dynamics.onboard.navigation.vision:VisionParams',
+        'docking_navigation': 'rvd_dynamics.onboard.navigation.filters:FilterParams',
+        'docking_controller': f'{HERE}.onboard:ControllerParams',
+        'onboard_guard': 'rvd_dynamics.commands.abort:GuardParams',
+    },
+    parts={
+        'craft': f'{HERE}.space:spacecraft',
+        'form': f'{HERE}.commands:form',
+        'period': f'{SETTINGS}:period',
+        'late': f'{SETTINGS}:late',
+        'timed': f'{SETTINGS}:timed',
+    },
+    checked=('timed', 'period', 'late'),
+    diagram=f'{HERE}.diagram:diagram',
+    judge=f'{HERE}.judge:Judge',
+    figures=f'{HERE}.figures:FIGURES',
+)

@@ -1,0 +1,48 @@
+"""
+Columns of a campaign's table beyond the measures: navigation error, innovations, safety.
+"""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rvd_dynamics.motion import attitude
+
+
+class Columns:
+    """Root mean squares over each run, from the first estimate on; nothing is judged by them."""
+
+    def __init__(self, batch: tuple) -> None:
+        self._ended = np.zeros(batch, dtype=bool)
+        self._place, self._speed, self._angle, self._count = np.zeros((4, *batch))
+        self._nis, self._views = np.zeros((*batch, 2)), np.zeros(batch)
+        self._safety = np.zeros(batch, dtype=np.uint8)
+
+    def step(self, k: int, truth: Any, estimate: Any, guidance: Any) -> dict[str, Any]:
+        """Add step k; the target is taken to be at rest in LVLH, as the filters do."""
+        known = ~self._ended & np.isfinite(estimate.position[..., 0])
+        turn = attitude.rotation_vector(attitude.multiply(
+            attitude.conjugate(estimate.attitude), truth.attitude))
+        for name, error in (('_place', estimate.position - truth.position),
+                            ('_speed', estimate.velocity - truth.velocity), ('_angle', turn)):
+            square = error[..., 0]**2 + error[..., 1]**2 + error[..., 2]**2
+            setattr(self, name, getattr(self, name) + np.where(known, square, 0.0))
+        self._count = self._count + known
+        seen = known & np.isfinite(estimate.nis[..., 0])
+        self._nis = self._nis + np.where(seen[..., np.newaxis], estimate.nis, 0.0)
+        self._views = self._views + seen
+        self._safety = np.where(self._ended, self._safety,
+                                np.maximum(self._safety, guidance.safety))
+        self._ended = self._ended | truth.final
+        return {}
+
+    def table(self, judge: Any, end_step: NDArray[np.int64]) -> dict[str, NDArray]:
+        """Return the columns of N runs; rms of one axis of the three."""
+        with np.errstate(invalid='ignore', divide='ignore'):
+            n = 3.0*self._count
+            return {'nav_error_m': np.sqrt(self._place/n), 'nav_speed_m_s': np.sqrt(self._speed/n),
+                    'nav_attitude_error_deg': np.degrees(np.sqrt(self._angle/n)),
+                    'nis_attitude': self._nis[..., 0]/self._views,
+                    'nis_position': self._nis[..., 1]/self._views,
+                    'safety_state': self._safety, 'steps': end_step}

@@ -1,0 +1,3 @@
+"""
+The ground segment: nothing yet. The approach flies by itself; a pilot and a link come later.
+"""

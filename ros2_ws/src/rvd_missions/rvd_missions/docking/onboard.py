@@ -1,0 +1,169 @@
+"""
+The craft's own computers: pose, navigation, guidance and control. They read no truth.
+"""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rvd_dynamics.commands.codes import KIND_ABORT, KIND_THRUST
+from rvd_dynamics.diagram.control import Control
+from rvd_dynamics.diagram.params import param, settings
+from rvd_dynamics.diagram.run import Run
+from rvd_dynamics.geometry.pinhole import CameraParams, require_markers
+from rvd_dynamics.motion import attitude
+from rvd_dynamics.onboard.control.allocation import Allocation, Shares, WAYS
+from rvd_dynamics.onboard.control.six_loops import (
+    AttitudeLoopParams, Design, LoopParams, require_design, SixLoops)
+from rvd_dynamics.onboard.navigation.filters import FilterParams, Navigation as Filters
+from rvd_dynamics.onboard.navigation.vision import Vision as Poses, VisionParams
+from rvd_missions.docking import markers
+from rvd_missions.docking.commands import ValveForm
+from rvd_missions.docking.profile import Profile, ProfileParams
+from rvd_missions.docking.safety import ABORT, HOLD, RETREAT, Safety, SafetyParams
+from rvd_missions.docking.settings import Aim, OrbitParams
+from rvd_missions.docking.signals import ESTIMATE, GUIDANCE, POSE, WANTED
+
+NOMINAL_MASS = 2000.0                           # [kg] what the craft takes itself to be
+NOMINAL_INERTIA = np.array([2200.0, 3000.0, 2800.0])
+AUTHORITY = np.array([40.0, 40.0, 40.0, 16.0, 16.0, 16.0])     # [N, N m] of J2 and J3
+STRUCTURE = (0.25, 0.35, 2*np.pi*0.25)          # [rad/s] tanks and panels as they are known
+LOOP_DELAY_S = 0.045                            # delay, lag, half the least on-time
+WIDEST = (0.04, np.radians(0.35))               # dead bands that the limits allow [m], [rad]
+BACK_M, BACK_M_S = 3.0, 0.1                     # where a retreat ends, and how fast it goes
+
+
+class Vision:
+    """Poses from the markers in the image."""
+
+    def __init__(self, settings: VisionParams, camera: CameraParams, batch: tuple) -> None:
+        require_markers('markers', markers.BIG)
+        self._poses = Poses(camera, settings, markers.BIG, markers.SMALL,
+                            markers.CHASER_PORT[0] - camera.place_m[0], batch)
+
+    def step(self, k: int, features: Any) -> dict[str, Any]:
+        """Return the pose of the features of step k."""
+        pose = self._poses.poses(features.pixels)
+        return {'pose': POSE(place=pose.place, turn=pose.turn, covariance=pose.covariance,
+                             usable=pose.usable, exposed=features.exposed)}
+
+
+class Navigation:
+    """Both filters, on inertial samples and poses."""
+
+    def __init__(self, settings: FilterParams, run: Run, orbit: OrbitParams, late: int,
+                 period: int, batch: tuple) -> None:
+        self._batch, self._late = batch, late + 1       # a pose is read a step after it comes out
+        rows = int(np.prod(batch, dtype=int))
+        self._filters = Filters(settings, run.step_s, self._late, period*run.step_s,
+                                orbit.mean_motion, markers.TARGET_PORT, rows)
+
+    def step(self, k: int, inertial: Any, pose: Any) -> dict[str, Any]:
+        """Return the estimate of step k."""
+        fresh = int(np.max(pose.exposed)) == k - self._late and k > self._late
+        seen = None
+        if fresh:
+            seen = (self._rows(pose.place, 3), self._rows(pose.turn, 4),
+                    self._rows(pose.covariance, 6, 6))
+        now = self._filters.step(self._rows(inertial.rate, 3), self._rows(inertial.force, 3), seen)
+        return {'estimate': ESTIMATE(
+            position=self._out(now.position), velocity=self._out(now.velocity),
+            attitude=self._out(now.attitude), rate=self._out(now.rate), nis=self._out(now.nis))}
+
+    def _rows(self, value: NDArray, *shape: int) -> NDArray:
+        return np.reshape(np.broadcast_to(value, (*self._batch, *shape)), (-1, *shape))
+
+    def _out(self, rows: NDArray) -> NDArray:
+        return rows.reshape((*self._batch, *rows.shape[1:]))
+
+
+@settings
+class ControllerParams:
+    """Guidance and control."""
+
+    profile: ProfileParams = param(ProfileParams, 'The way to the port.')
+    position: LoopParams = param(LoopParams, 'Loops of the position.')
+    attitude: AttitudeLoopParams = param(AttitudeLoopParams, 'Loops of the attitude.')
+    allocation: str = param('table', 'How thrusters are chosen.', choices=tuple(WAYS))
+    failed: tuple = param((-1,), 'Numbers of thrusters known to have failed; -1 is none.', low=-1,
+                          high=36)
+    safety: SafetyParams = param(SafetyParams, 'The safety strategy.')
+
+
+class Controller:
+    """Tracks the profile with six loops and opens valves."""
+
+    def __init__(self, settings: ControllerParams, run: Run, aim: Aim, orbit: OrbitParams,
+                 form: ValveForm, batch: tuple) -> None:
+        s, self._batch, self._run, self._aim = settings, batch, run, aim
+        for name, loop, acceleration, widest in (
+                ('position', s.position, 40.0/NOMINAL_MASS, WIDEST[0]),
+                ('attitude', s.attitude, float((16.0/NOMINAL_INERTIA).min()), WIDEST[1])):
+            require_design(name, Design(loop, acceleration), widest, 0.04, LOOP_DELAY_S, STRUCTURE,
+                           run.step_s)
+        rows = int(np.prod(batch, dtype=int))
+        self._loops = SixLoops(s.position, s.attitude, run.step_s, (rows,))
+        self._settings, self._form, self._n = s, form, orbit.mean_motion
+        failed = np.isin(np.arange(len(form.thrusters)), s.failed)
+        turn = ('J3',) if s.allocation == 'table' else ('J3', 'J4')
+        self._allocation = Allocation(form.thrusters, s.allocation, AUTHORITY, ('J2',), turn)
+        self._allocation.fail(failed)
+        self._shares = Shares(4, (rows, len(form.thrusters)))
+        self._brake = form.retreat.astype(bool) & ~failed
+        self._safety = Safety(s.safety, run.step_s, rows)
+        self._profile: Profile | None = None
+        self._began, self._held = 0.0, np.full((rows, 3), np.nan)
+
+    def step(self, k: int, estimate: Any, control: Control) -> dict[str, Any]:
+        """Return valves and guidance of step k."""
+        rows = len(self._held)
+        r, v, q, rate, nis = (np.reshape(getattr(estimate, name), (rows, -1)) for name in
+                              ('position', 'velocity', 'attitude', 'rate', 'nis'))
+        t = k*self._run.step_s
+        arm = attitude.rotate(q, np.broadcast_to(markers.CHASER_PORT, r.shape))
+        port = r + arm - markers.TARGET_PORT
+        turn = attitude.rotation_vector(q)
+        spin = rate + self._n*attitude.matrix(q)[:, 1]          # relative to the target
+        state = self._safety.advance(t, port, v[:, 0], turn, spin, nis)
+        wanted, speed = self._reference(t, r, state)
+        error = np.concatenate([attitude.rotate_back(q, wanted - r), -turn], axis=-1)
+        change = np.concatenate([attitude.rotate_back(q, speed - v), -spin], axis=-1)
+        demand = self._loops.step(error, change)
+        valves = self._shares.open(self._allocation(demand))
+        backing = (state == RETREAT) & (demand[:, 0] < 0.0)
+        valves = valves | (backing[:, None] & self._brake)
+        abort = (state == ABORT) | bool(control.abort)
+        out = self._out
+        return {
+            'wanted': WANTED(command=out(valves.astype(np.uint8)),
+                             kind=out(np.where(abort, KIND_ABORT, KIND_THRUST).astype(np.uint8)),
+                             received=np.ones(self._batch, dtype=bool)),
+            'guidance': GUIDANCE(reference=out(wanted), error=out(error), demand=out(demand),
+                                 safety=out(state.copy()))}
+
+    def _reference(self, t: float, r: NDArray, state: NDArray) -> tuple[NDArray, NDArray]:
+        """Return the wanted place and velocity (N, 3) of the craft's centre; NaN if unknown."""
+        if self._profile is None:
+            if not np.isfinite(r).all():
+                return np.full_like(r, np.nan), np.full_like(r, np.nan)
+            self._began = t
+            self._profile = Profile(self._settings.profile, r + markers.CHASER_PORT
+                                    - markers.TARGET_PORT, self._aim.distance_m,
+                                    self._aim.nominal_s - t)
+        port, speed = self._profile.at(t - self._began)
+        wanted = port - markers.CHASER_PORT + markers.TARGET_PORT
+        stopped = state >= HOLD
+        if stopped.any():
+            self._held = np.where((stopped & np.isnan(self._held[:, 0]))[:, None], r, self._held)
+            back = state == RETREAT
+            farthest = markers.TARGET_PORT[0] - markers.CHASER_PORT[0] - BACK_M
+            going = back & (self._held[:, 0] > farthest)
+            self._held[:, 0] -= np.where(going, BACK_M_S*self._run.step_s, 0.0)
+            wanted = np.where(stopped[:, None], self._held, wanted)
+            speed = np.where(stopped[:, None], 0.0, speed)
+            speed[:, 0] -= np.where(going, BACK_M_S, 0.0)
+        return wanted, speed
+
+    def _out(self, rows: NDArray) -> NDArray:
+        return rows.reshape((*self._batch, *rows.shape[1:]))

@@ -1,0 +1,92 @@
+"""
+When the craft stops, backs away, or flees: the safety strategy on board.
+
+States are ordered, NOMINAL < HOLD < RETREAT < ABORT, and only rise. Source: An, Qu, Wang 2015,
+section 2.5, has the concept alone; rules and numbers are assumed.
+
+    HOLD      out of the cone, attitude or rate too large, camera lost, innovations too large
+    RETREAT   near the port and too far aside
+    ABORT     too fast to stop before the faces meet
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rvd_dynamics.diagram.params import param, settings
+
+NOMINAL, HOLD, RETREAT, ABORT = range(4)
+NAMES = ('NOMINAL', 'HOLD', 'RETREAT', 'ABORT')
+
+
+@settings
+class SafetyParams:
+    """Bounds of the safety strategy."""
+
+    active: bool = param(True, 'Whether it acts.')
+    cone_deg: float = param(20.0, 'Half angle of the cone from the port that must not be left, '
+                            'beyond near_m [deg].', above=0.0, below=90.0)
+    near_m: float = param(0.3, 'Distance up to which the bound across is constant [m].', above=0.0,
+                          high=100.0)
+    near_lateral_m: float = param(0.08, 'Bound across there [m].', above=0.0, high=100.0)
+    stop_m: float = param(0.03, 'Distance at which the craft must be able to stop [m].', low=0.0,
+                          high=10.0)
+    brake_m_s2: float = param(0.02, 'Deceleration that is counted on [m/s^2].', above=0.0,
+                              high=10.0)
+    least_speed_m_s: float = param(0.02, 'Closing speed that is always allowed [m/s].', above=0.0,
+                                   high=10.0)
+    attitude_deg: float = param(5.0, 'Greatest attitude angle [deg].', above=0.0, high=180.0)
+    rate_deg_s: float = param(2.0, 'Greatest rate at first [deg/s].', above=0.0, high=100.0)
+    late_rate_deg_s: float = param(0.5, 'Greatest rate after settling_s [deg/s].', above=0.0,
+                                   high=100.0)
+    settling_s: float = param(20.0, 'Time after which that holds [s].', low=0.0, high=86400.0)
+    lost_s: float = param(2.0, 'Time without a pose that is borne [s].', above=0.0, high=86400.0)
+    nis: float = param(30.0, 'Normalised innovation squared of three numbers that is borne.',
+                       above=0.0, high=1e9)
+    nis_views: int = param(5, 'Views in a row above it that are not.', low=1, high=1000)
+
+
+class Safety:
+    """States of N rows."""
+
+    def __init__(self, settings: SafetyParams, step_s: float, rows: int) -> None:
+        self._settings, self._step_s = settings, step_s
+        self.state = np.zeros(rows, dtype=np.uint8)
+        self._blind = np.zeros(rows)
+        self._odd = np.zeros(rows, dtype=np.int64)
+        self._slope = np.tan(np.radians(settings.cone_deg))
+
+    def advance(self, t: float, port: NDArray, speed: NDArray, turn: NDArray, rate: NDArray,
+                nis: NDArray) -> NDArray[np.uint8]:
+        """
+        Return the states after what is known at `t` [s].
+
+        Parameters
+        ----------
+        port, turn, rate : ndarray, shape (N, 3)
+            Port from the target's port [m], attitude error [rad] and relative rate [rad/s].
+        speed : ndarray, shape (N,)
+            Along x, closing positive [m/s].
+        nis : ndarray, shape (N, 2)
+            NaN where no pose came.
+        """
+        s = self._settings
+        known = np.isfinite(port[:, 0])
+        seen = np.isfinite(nis[:, 0])
+        self._blind = np.where(seen | ~known, 0.0, self._blind + self._step_s)
+        self._odd = np.where(seen, np.where((nis > s.nis).any(axis=-1), self._odd + 1, 0),
+                             self._odd)
+        distance = -port[:, 0]
+        across = np.sqrt(port[:, 1]*port[:, 1] + port[:, 2]*port[:, 2])
+        far = distance > s.near_m
+        most = np.maximum(s.least_speed_m_s, np.sqrt(
+            2.0*s.brake_m_s2*np.maximum(distance - s.stop_m, 0.0)))
+        rate_bound = np.radians(s.rate_deg_s if t < s.settling_s else s.late_rate_deg_s)
+        hold = (far & (across > self._slope*distance)) | (self._blind > s.lost_s) \
+            | (np.abs(turn) > np.radians(s.attitude_deg)).any(axis=-1) \
+            | (np.abs(rate) > rate_bound).any(axis=-1) | (self._odd >= s.nis_views)
+        wanted = np.where(hold, HOLD, NOMINAL)
+        wanted = np.where(~far & (across > s.near_lateral_m), RETREAT, wanted)
+        wanted = np.where(speed > most, ABORT, wanted)
+        if s.active:
+            self.state = np.maximum(self.state, np.where(known, wanted, NOMINAL)).astype(np.uint8)
+        return self.state

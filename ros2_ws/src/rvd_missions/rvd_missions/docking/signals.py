@@ -1,0 +1,37 @@
+"""
+Signals of the mission. LVLH axes but where it says otherwise; quaternions (x, y, z, w).
+"""
+
+from rvd_dynamics.diagram.signal import Part, Signal
+from rvd_dynamics.link import signals as link
+from rvd_missions.docking.commands import COUNT
+from rvd_missions.docking.markers import BIG, SMALL
+
+MARKERS = len(BIG) + len(SMALL)
+
+TRUTH = Signal('/truth/spacecraft', (
+    Part('position', (3,), 'm'), Part('velocity', (3,), 'm/s'),
+    Part('target_attitude', (4,)), Part('target_rate', (3,), 'rad/s'),
+    Part('attitude', (4,)), Part('rate', (3,), 'rad/s'),                    # body axes
+    Part('turned', (3,), 'rad'), Part('gained', (3,), 'm/s'),               # over the step, body
+    Part('felt', (3,), 'm/s^2'),                                            # body axes
+    Part('thrust', (COUNT,), '1'), Part('pulses', (), '', 'i8'),
+    Part('propellant', (), 'kg'), Part('final', (), '', '?')), truth=True)
+INERTIAL = Signal('/onboard/inertial', (
+    Part('rate', (3,), 'rad/s'), Part('force', (3,), 'm/s^2')))             # body axes
+FEATURES = Signal('/onboard/features', (
+    Part('pixels', (MARKERS, 2), 'px'), Part('exposed', (), 'steps', 'i8', -1)))
+POSE = Signal('/onboard/pose', (                                            # craft axes
+    Part('place', (3,), 'm'), Part('turn', (4,)), Part('covariance', (6, 6)),
+    Part('usable', (), '', 'i8'), Part('exposed', (), 'steps', 'i8', -1)))
+ESTIMATE = Signal('/onboard/estimate', (                                    # target axes
+    Part('position', (3,), 'm'), Part('velocity', (3,), 'm/s'), Part('attitude', (4,)),
+    Part('rate', (3,), 'rad/s'), Part('nis', (2,))))
+GUIDANCE = Signal('/onboard/guidance', (
+    Part('reference', (3,), 'm'), Part('error', (6,), 'm, rad'), Part('demand', (6,)),
+    Part('safety', (), 'STATE_*', 'u1')))
+_command = Part('command', (COUNT,), '', 'u1', initial=0)                   # all valves shut
+WANTED = Signal('/onboard/command', (
+    _command, link.KIND, link.RECEIVED, Part('reason', (), 'REASON_*', 'u1', optional=True),
+    Part('sequence', (), '', 'i8', optional=True)))
+THRUST = link.thrust(_command)

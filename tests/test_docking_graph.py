@@ -1,0 +1,35 @@
+"""The mission docking over DDS: every grouping gives the bits of the loop in one process."""
+
+from conftest import Flown
+import numpy as np
+import pytest
+
+from rvd_dynamics.diagram.in_process import fly
+from rvd_dynamics.diagram.scenario import parse
+from rvd_dynamics.recording.reader import read
+from rvd_missions.docking.signals import ESTIMATE, GUIDANCE, POSE, THRUST, TRUTH
+
+SHORT = '''
+/**: {ros__parameters: {mission: docking, timeout_s: 4.0, limits: {from_s: 1.0},
+                        seeing: {camera: %s}}}
+'''
+FLIGHTS = {'blocks': 'pinhole', 'segments': 'simple', 'one': 'pinhole'}     # grouping: camera
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize('processes', FLIGHTS)
+def test_a_flight_is_the_loop_in_one_process_to_the_last_bit(processes, tmp_path):
+    (tmp_path / 'short.yaml').write_text(SHORT % FLIGHTS[processes])
+    flight = Flown(tmp_path / 'run', str(tmp_path / 'short.yaml'), '--seed', '5', '--headless',
+                   '--pace', 'lockstep', '--processes', processes)
+    assert flight.code in (0, 1), flight.err
+    run = read(flight.run / 'bag')
+    alone = fly(parse((flight.run / 'scenario.yaml').read_text(), 'flown'), [0], record=True)
+    for signal in (TRUTH, POSE, ESTIMATE, GUIDANCE, THRUST):
+        there, here = run.of(signal), alone.history[signal.name]
+        for part in (p.name for p in signal.parts if not p.optional):
+            values = getattr(here, part)[:, 0]
+            values = values[::10] if signal is POSE else values
+            np.testing.assert_array_equal(np.asarray(there[part]), values,
+                                          err_msg=f'{signal.name} {part}')
+    assert len(run.of(TRUTH)['final']) == 401
