@@ -19,8 +19,9 @@ Source  Yu, Yang 1998, eq. 10 and 11, derived again. With c = 1 + e cos nu, S = 
 
 from math import cos, floor, pi, sin
 
-from numba import njit
 import numpy as np
+
+from rvd_dynamics.compiled import compiled
 
 # Positions of the parameters in `w`.
 E, K, K1, K2, Q, PHI_D, Q1, FF, FORM, TRANSVERSE = range(10)
@@ -28,22 +29,14 @@ FF_GRAVITY, FF_ALL = 1, 2               # values of w[FF] but 0, none
 
 
 
-def _jit(function):
-    """Compile, and keep the code on disk where there is a place for it."""
-    try:
-        return njit(cache=True)(function)
-    except RuntimeError:                # no folder that can be written
-        return njit(function)
-
-
-@_jit
+@compiled
 def acceleration(nu, phi, rate, w):
     """Return phi'' of the direction-angle equation."""
     inverse = 1.0/(1.0 + w[E]*cos(nu))
     return _acceleration(inverse, 2.0*w[E]*sin(nu)*inverse, sin(2.0*phi), phi, rate, w)
 
 
-@_jit
+@compiled
 def _acceleration(inverse, swing, sin_2phi, phi, rate, w):
     """Return phi'' from 1 / c, S and sin 2 phi, which are dear."""
     k, k1, forcing = w[K], w[K1], (1.0 + 2.0*w[K2])*swing
@@ -63,7 +56,7 @@ def _acceleration(inverse, swing, sin_2phi, phi, rate, w):
     return f
 
 
-@_jit
+@compiled
 def _slope(nu, y, w, parameter, dy):
     """Write dy/dnu of state and columns, y (8,), into `dy`."""
     phi, rate = y[0], y[1]
@@ -90,13 +83,13 @@ def _slope(nu, y, w, parameter, dy):
         dy[7] += _by_parameter(inverse, cosine, sine, sin_2phi, phi, rate, w, parameter)
 
 
-@_jit
+@compiled
 def _wrap(angle):
     """Return an angle in [-pi, pi)."""
     return angle - 2.0*pi*floor(angle/(2.0*pi) + 0.5)
 
 
-@_jit
+@compiled
 def _by_parameter(inverse, cosine, sine, sin_2phi, phi, rate, w, parameter):
     """Return the derivative of phi'' by the parameter at this position of `w`."""
     swing, turn = 2.0*w[E]*sine*inverse, 1.0 + rate
@@ -133,7 +126,7 @@ def _by_parameter(inverse, cosine, sine, sin_2phi, phi, rate, w, parameter):
     return d
 
 
-@_jit
+@compiled
 def _integrate(y, nu, end, w, parameter, tolerance, h):
     """Carry y (8,) from nu to `end` in place; return the last step, or 0 where it blew up."""
     k1, k2, k3, k4 = np.empty(8), np.empty(8), np.empty(8), np.empty(8)
@@ -186,7 +179,7 @@ def _integrate(y, nu, end, w, parameter, tolerance, h):
     return kept
 
 
-@_jit
+@compiled
 def orbit_map(phi, rate, w, parameter, tolerance):
     """
     Return the state one orbit on, with its derivatives.
@@ -200,7 +193,7 @@ def orbit_map(phi, rate, w, parameter, tolerance):
     return y
 
 
-@_jit
+@compiled
 def trace(phi, rate, w, points, orbits, tolerance):
     """Return (phi, phi') at `points` + 1 even true anomalies over so many orbits."""
     y = np.array([phi, rate, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0])

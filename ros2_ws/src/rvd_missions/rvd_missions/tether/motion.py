@@ -22,22 +22,14 @@ Source  Hu et al. (docs/missions/tether.md):
 Import it where it is used: numba takes a second. Each function is compiled once for a machine.
 """
 
-from collections.abc import Callable
 from math import sqrt
 
-from numba import njit
 import numpy as np
+
+from rvd_dynamics.compiled import compiled
 
 STATES, COMMANDS, CRAFT = 13, 7, 8
 NEWTON = 12                             # most iterations of the reel's equation
-
-
-def compiled(function: Callable) -> Callable:
-    """Compile a function, kept on disk where there is a place for it."""
-    try:
-        return njit(cache=True, error_model='numpy')(function)
-    except RuntimeError:                # "no locator available": read-only everywhere
-        return njit(error_model='numpy')(function)
 
 
 @compiled
