@@ -12,7 +12,9 @@ from mcap.records import Channel, Message
 import numpy as np
 from rosbags.highlevel import AnyReader
 
+from rvd_dynamics.diagram.in_process import fly
 from rvd_dynamics.recording import mcap_file
+from rvd_dynamics.recording.reader import read
 
 ROOT = Path(__file__).resolve().parents[1]
 STATE = ('x', 'y', 'z')
@@ -73,6 +75,17 @@ def states(run: Path, topic: str) -> np.ndarray:
     """Return position, velocity, acceleration and step of a RelativeState topic, (steps, 10)."""
     return np.array([[*vector(m.position), *vector(m.velocity), *vector(m.acceleration), m.step]
                      for m in messages(run, topic)])
+
+
+def flown_again(run: Path, signals: list[str]) -> tuple:
+    """Return a recorded run and the same one in process, when verdict and measures are equal."""
+    recorded = read(run)
+    loop = fly(recorded.scenario, [recorded.scenario.run.run], record=signals)
+    assert recorded.verdict.reason == loop.verdict.reason[0]
+    for measure in recorded.verdict.measures:
+        np.testing.assert_array_equal(measure.value, loop.verdict.values[measure.name][0],
+                                      err_msg=measure.name)
+    return recorded, loop
 
 
 def vector(v) -> tuple[float, float, float]:

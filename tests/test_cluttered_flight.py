@@ -3,9 +3,7 @@
 from conftest import Flown
 import numpy as np
 import pytest
-
-from rvd_dynamics.diagram.in_process import fly
-from rvd_dynamics.recording.reader import read
+from runs import flown_again
 
 COMPARED = {                            # by signal: its part, and the column of the bag's series
     '/truth/relative_state': {'state': 'state', 'acceleration': 'accel'},
@@ -25,12 +23,7 @@ def test_the_graph_flies_as_in_process_to_the_last_bit(processes, tmp_path):
     flown = Flown(tmp_path / 'run', 'cluttered', '--processes', processes, '--pace', 'lockstep',
                   '--headless', '--seed', '4')
     assert flown.code in (0, 1), flown.err
-    recorded = read(flown.run)
-    loop = fly(recorded.scenario, [recorded.scenario.run.run], record=list(COMPARED))
-    assert recorded.verdict.reason == loop.verdict.reason[0]
-    for measure in recorded.verdict.measures:
-        np.testing.assert_array_equal(measure.value, loop.verdict.values[measure.name][0],
-                                      err_msg=measure.name)
+    recorded, loop = flown_again(flown.run, list(COMPARED))
     for topic, parts in COMPARED.items():
         series, history = recorded.of(topic), loop.history[topic]
         assert len(series) == loop.end_step[0] + 1

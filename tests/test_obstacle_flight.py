@@ -3,9 +3,7 @@
 from conftest import Flown
 import numpy as np
 import pytest
-
-from rvd_dynamics.diagram.in_process import fly
-from rvd_dynamics.recording.reader import read
+from runs import flown_again
 
 # Noise, scatter, losses, a delay and engines that are on or off, in a run cut short.
 ROUGH = """
@@ -49,12 +47,7 @@ def test_every_grouping_flies_as_in_process_to_the_last_bit(processes, tmp_path)
     flown = Flown(tmp_path / 'run', str(scenario), '--processes', processes, '--pace', 'lockstep',
                   '--headless')
     assert flown.code in (0, 1), flown.err
-    recorded = read(flown.run)
-    loop = fly(recorded.scenario, [recorded.scenario.run.run], record=list(COMPARED))
-    assert recorded.verdict.reason == loop.verdict.reason[0]
-    for measure in recorded.verdict.measures:
-        np.testing.assert_array_equal(measure.value, loop.verdict.values[measure.name][0],
-                                      err_msg=measure.name)
+    recorded, loop = flown_again(flown.run, list(COMPARED))
     for topic, parts in COMPARED.items():
         series, history = recorded.of(topic), loop.history[topic]
         assert len(series) == loop.end_step[0] + 1

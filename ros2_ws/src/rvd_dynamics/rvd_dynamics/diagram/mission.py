@@ -66,8 +66,8 @@ class Mission:
         approach.
     columns : str
         'module:NAME' of the names of all columns of a campaign's table in their order, for a
-        mission that orders them ('NAME?': where there is one); empty: the verdict, the measures, then what the block `columns`
-        makes.
+        mission that orders them ('NAME?': where there is one); empty: the verdict, the measures,
+        then what the block `columns` makes.
     figures, campaign_figures, display, usual_steps : str
         'module:NAME' of the figures of a recording and those of a campaign, the console's
         display, and the number of steps that few runs outlast; empty: none.
