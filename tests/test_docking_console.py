@@ -109,8 +109,7 @@ class HandsConsole(ToyConsole):
     async def _fly(self) -> None:
         scenario = parse(SCENARIO, 'test')
         facts = replace(facts_of(scenario), operator='console', mode='manual')
-        self.provider = DockingDisplay(facts, scenario, *(scenario.part(name) for name in (
-            'chaser', 'panels', 'tanks', 'orbit', 'aim', 'limits', 'camera', 'form')))
+        self.provider = DockingDisplay(facts, scenario)
         self.joys: list = []
         self.hub.begin('hands', self.provider, self)
         await asyncio.sleep(1e6)

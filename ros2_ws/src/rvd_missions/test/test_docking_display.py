@@ -16,7 +16,8 @@ from rvd_groundstation.console.feed import Feed
 from rvd_groundstation.console.forms import with_wishes
 from rvd_groundstation.console.protocol import Stick
 from rvd_groundstation.console.provider import display_of, facts_of, on_ground
-from rvd_missions.docking.display import BEND, DockingDisplay, seen, seen_turn, SLOSH
+from rvd_missions.docking.display import BEND, DockingDisplay, SLOSH
+from rvd_missions.docking.display_parts import seen, seen_turn
 from rvd_missions.docking.signals import ESTIMATE, FEATURES, GUIDANCE, POSE, THRUST, TRUTH as TRUE
 
 TEXT = ('/**: {ros__parameters: {mission: docking, timeout_s: %g, limits: {from_s: 0.5}%s}}\n'
@@ -176,8 +177,7 @@ def steered(plain):
     """A display whose page holds both hand controllers."""
     from dataclasses import replace
     facts = replace(facts_of(plain), operator='console', mode='manual')
-    return DockingDisplay(facts, plain, *(plain.part(name) for name in (
-        'chaser', 'panels', 'tanks', 'orbit', 'aim', 'limits', 'camera', 'form')))
+    return DockingDisplay(facts, plain)
 
 
 def test_two_hand_controllers_are_two_joys(steered):

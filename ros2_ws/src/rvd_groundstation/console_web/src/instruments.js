@@ -11,7 +11,8 @@ const COLUMNS = ['measured', 'predicted', 'truth', 'plain'];
 
 export function number(value, digits) {
   if (value === null || value === undefined || !Number.isFinite(value)) return S.unknown;
-  return value.toFixed(digits).replace('-', '−');
+  const words = value.toFixed(digits);
+  return Number(words) === 0 ? words.replace('-', '') : words.replace('-', '−'); // no minus before zero
 }
 
 // A limit as it stands beside a value: one that never changes as it was given.

@@ -46,6 +46,8 @@ class Feed:
         if isinstance(content, Heard):
             sample = content.sample
             self.signal(self.display.measured, sample)
+            if not self.display.link:
+                return
             self.ladder.heard(sample.step, content.generated_ns // self.facts.step_ns,
                               content.accepted if self.facts.acknowledged else None,
                               content.refusal)

@@ -12,48 +12,37 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from rvd_dynamics.diagram.display import (
-    Attitude, Axis, Body, Box, Button, Camera, Chart, Charts, CommandAxis, CommandRow, Commands,
-    Controller, Cylinder, DERIVED, Display, Flat, Form, Gauge, Hand, Instrument, Instruments, Label,
-    LampGroup, Lamps, Legend, Line, Needles, Number, Perspective, Pixels, Reading, Readout, Ref,
-    Revolved, Ring, Section, Sphere, Spot, Torus, Trail, TRUTH)
+    Attitude, Body, Box, Camera, Chart, Charts, CommandAxis, CommandRow, Commands, DERIVED, Display,
+    Flat, Gauge, Instrument, Instruments, Label, Legend, Line, Needles, Number, Perspective, Pixels,
+    Reading, Readout, Ref, Revolved, Ring, Section, Sphere, Spot, Trail, TRUTH)
 from rvd_dynamics.diagram.scenario import Scenario
 from rvd_dynamics.geometry.pinhole import CameraParams
 from rvd_dynamics.motion import attitude
 from rvd_groundstation.console.decode import Sample
-from rvd_groundstation.console.forms import setting
-from rvd_groundstation.console.provider import MissionDisplay, RunFacts
+from rvd_groundstation.console.provider import has_ground, MissionDisplay, PILOT, RunFacts
 from rvd_missions.docking import markers, safety
-from rvd_missions.docking.commands import ValveForm
+from rvd_missions.docking.display_parts import (
+    AXES, chaser, CHORD_M, forms, hands, lamps, LIQUID_M, NEAR_X, seen, seen_turn, target)
 from rvd_missions.docking.onboard import AUTHORITY
-from rvd_missions.docking.settings import Aim, Chaser, faces, Limits, OrbitParams, Panels, Tanks
+from rvd_missions.docking.settings import faces
 from rvd_missions.docking.signals import ESTIMATE, FEATURES, GUIDANCE, POSE, STATIONS, THRUST
 
 DEG = float(np.degrees(1.0))
 BEND, SLOSH = 30.0, 5.0                 # what is drawn of the truth is larger by this
-CHORD_M = 0.75                          # half the width of a panel in the picture
-TANK_M, LIQUID_M = 0.78, 0.5            # radii of the belt that marks a tank, and of its liquid
 FADE_S = 0.7                            # [s] wall time in which a lamp goes out
 G0 = 9.80665                            # [m/s^2]
 ISP_S = 290.0                           # [s] that the books are kept with
-UP = np.array([np.sqrt(0.5), 0.0, 0.0, np.sqrt(0.5)])       # from LVLH to the scene's axes
-NEAR_X = float(markers.TARGET_PORT[0])
-HULL, FOIL, DARK, CELLS, STATION = '#d5dbe2', '#b79a4b', '#39434f', '#27508a', '#c3cad2'
-AXES = ('x', 'y', 'z', 'roll', 'pitch', 'yaw')
 
 
-def seen(vector: ArrayLike) -> NDArray[np.float64]:
-    """Return vectors (..., 3) of LVLH in the axes of the scene."""
-    x, y, z = np.moveaxis(np.asarray(vector, dtype=float), -1, 0)
-    return np.stack([x, -z, y], axis=-1)
-
-
-def seen_turn(q: ArrayLike) -> NDArray[np.float64]:
-    """Return an attitude relative to LVLH as one in the scene, of a body whose shape is `seen`."""
-    return attitude.multiply(attitude.multiply(UP, np.asarray(q, dtype=float)),
-                             attitude.conjugate(UP))
+def display(facts: RunFacts, scenario: Scenario) -> MissionDisplay:
+    """Return the display of a run: of a craft that is steered from the ground, or of any other."""
+    if has_ground(scenario.diagram):
+        from rvd_missions.docking.display_remote import RemoteDisplay
+        return RemoteDisplay(facts, scenario)
+    return DockingDisplay(facts, scenario)
 
 
 class DockingDisplay(MissionDisplay):
@@ -61,11 +50,10 @@ class DockingDisplay(MissionDisplay):
 
     heard_nodes = ('docking_controller', 'onboard_guard', 'console')
 
-    def __init__(self, facts: RunFacts, scenario: Scenario, chaser: Chaser, panels: Panels,
-                 tanks: Tanks, orbit: OrbitParams, aim: Aim, limits: Limits, camera: CameraParams,
-                 form: ValveForm) -> None:
-        self._chaser, self._panels, self._tanks, self._limits = chaser, panels, tanks, limits
-        self._n, self._form = orbit.mean_motion, form
+    def __init__(self, facts: RunFacts, scenario: Scenario) -> None:
+        self._chaser, self._panels, self._tanks, self._limits, self._aim, self._form = map(
+            scenario.part, ('chaser', 'panels', 'tanks', 'limits', 'aim', 'form'))
+        self._n, form = scenario.part('orbit').mean_motion, self._form
         self._bounds = scenario.settings('docking_controller').safety
         topics = {signal.name for block in scenario.diagram.blocks
                   for signal in block.writes.values()}
@@ -77,7 +65,7 @@ class DockingDisplay(MissionDisplay):
         self._glow = np.zeros(len(form.thrusters))
         self._pulses, self._spent = np.zeros(4, dtype=int), 0.0
         self._state, self._since = -1, 0.0
-        super().__init__(facts, self._display(facts, scenario, aim, camera))
+        super().__init__(facts, self._display(facts, scenario))
 
     # -- what goes by -------------------------------------------------------------------------
 
@@ -113,7 +101,7 @@ class DockingDisplay(MissionDisplay):
             return {}
         r, v, q, rate = (np.array(sample.parts[name]) for name in
                          ('position', 'velocity', 'attitude', 'rate'))
-        sigma = np.array(sample.parts['sigma'])
+        sigma = np.array(sample.parts.get('sigma', (np.nan,)*9))
         port = r + attitude.rotate(q, markers.CHASER_PORT) - markers.TARGET_PORT
         distance, across = -float(port[0]), float(np.hypot(port[1], port[2]))
         spin = rate + self._n*attitude.matrix(q)[1]     # relative to the target, body axes
@@ -215,9 +203,7 @@ class DockingDisplay(MissionDisplay):
 
     # -- what is drawn --------------------------------------------------------------------------
 
-    def _display(self, facts: RunFacts, scenario: Scenario, aim: Aim, camera: CameraParams
-                 ) -> Display:
-        self._aim = aim
+    def _display(self, facts: RunFacts, scenario: Scenario) -> Display:
         b = self._bounds
         slope = float(np.tan(np.radians(b.cone_deg)))
         start = scenario.part('start').position_m
@@ -271,7 +257,7 @@ class DockingDisplay(MissionDisplay):
                 Flat('Top', '+x', '-z', (-3.9, 0.0, 0.0), 9.5),
                 Flat('Along', '+z', '+y', (0.0, 0.0, 0.0), 12.0),
                 Flat('Faces', '+x', '+y', (NEAR_X - 0.1, 0.0, 0.0), 1.4)),
-            camera=self._camera(camera),
+            camera=self._camera(scenario.part('camera')),
             instruments=Instruments('Approach', (
                 row('distance', 'mm', of('distance', factor=1000.0), true('distance', factor=1000.0),
                     0, of('near', factor=1000.0), of('far', factor=1000.0)),
@@ -304,7 +290,7 @@ class DockingDisplay(MissionDisplay):
             lamps=lamps(),
             commands=Commands(
                 'Demand', tuple(CommandAxis(name, 1.0) for name in AXES), THRUST.name,
-                (*((CommandRow('hands', 'pilot', Ref('/joy', 'value')),) if hand else ()),
+                (*((CommandRow('hands', 'pilot', Ref(PILOT, 'value')),) if hand else ()),
                  CommandRow('demanded', 'automatic', Ref(DERIVED, 'demand')),
                  CommandRow('valves', 'sent', Ref(DERIVED, 'wrench'))), digits=2),
             controller=hands() if hand else None,
@@ -333,105 +319,3 @@ class DockingDisplay(MissionDisplay):
             gauge=Gauge('mm/s', -20.0, 80.0, 10.0, 2, (
                 Reading('measured', Number(DERIVED, 'closing', factor=1000.0)),), digits=0),
             distance=(Reading('measured', Number(DERIVED, 'distance')),), digits=3)
-
-
-def lamps() -> Lamps:
-    """Return the lamps of the thrusters, in the order of `thruster_layout`."""
-    def signed(names: Sequence[str], each: int = 2) -> tuple[str, ...]:
-        return tuple(f'{sign}{name}' for name in names for sign in '+\u2212' for _ in range(each))
-    return Lamps(
-        'Thrusters', 'Which of the 37 thrusters fire, by group', (
-            LampGroup('J1', 'transfer 490 N', ('+x',)),
-            LampGroup('J2', 'translation 20 N', signed('xyz')),
-            LampGroup('J3', 'attitude 10 N', signed(('roll', 'pitch', 'yaw'))),
-            LampGroup('J4', 'emergency 60, 10 N', (*('brake \u2212x',)*4, *(
-                f'couple {i}' for i in range(1, 5) for _ in range(2))))),
-        Ref(THRUST.name, 'value'), Ref(DERIVED, 'glow'), Ref(DERIVED, 'pulses'),
-        Ref(DERIVED, 'books'))
-
-
-def hands() -> Controller:
-    """
-    Return both hand controllers: translation left, rotation right, in body axes.
-
-    Each has a Joy of its own: three axes, and the buttons dead-man, pulse or rate, resume.
-    """
-    return Controller(
-        (Axis('x', 'forward', 'back', (('KeyW', 'KeyS'),), pad_pair=(7, 6)),
-         Axis('y', 'right', 'left', (('KeyD', 'KeyA'),), 0),
-         Axis('z', 'down', 'up', (('KeyF', 'KeyR'),), 1),
-         Axis('roll', 'right', 'left', (('KeyE', 'KeyQ'),), pad_pair=(15, 14)),
-         Axis('pitch', 'nose up', 'nose down', (('ArrowUp', 'ArrowDown'),), 3, True),
-         Axis('yaw', 'nose right', 'nose left', (('ArrowRight', 'ArrowLeft'),), 2)),
-        (0.25, 0.5, 1.0), verb='go',
-        buttons=(Button('way', 'translation by pulses or by rates, while held', 'ShiftLeft', 5),
-                 Button('turning', 'rotation by pulses or by rates, while held', 'ControlRight', 0),
-                 Button('resume', 'take over again after HOLD or RETREAT', 'Backspace', 9)),
-        hands=(Hand('/joy/translation', AXES[:3], ('way', 'resume')),
-               Hand('/joy/rotation', AXES[3:], ('turning',))))
-
-
-def forms(scenario: Scenario) -> tuple[Form, ...]:
-    """Return what may be changed before a run: the tabs of the paper's window."""
-    def shared(*rows: tuple) -> tuple:
-        return tuple(setting(scenario, '/**', *row) for row in rows)
-
-    def controller(*rows: tuple) -> tuple:
-        return tuple(setting(scenario, 'docking_controller', *row) for row in rows)
-
-    def loop(of: str, unit: str) -> tuple:
-        return controller(
-            (f'{of}.gain', 'gain K', unit), (f'{of}.derivative_s', 'derivative time', 's'),
-            (f'{of}.integral_per_s', 'integral gain', '1/s'),
-            (f'{of}.modulator.on_threshold', 'fires at H_E'),
-            (f'{of}.modulator.off_threshold', 'stops at H_A'),
-            (f'{of}.modulator.time_constant_s', 'time constant T_F', 's'))
-    return (
-        Form('Initial values', shared(
-            ('start.position_m', 'place x, y, z', 'm'),
-            ('start.attitude_deg', 'roll, pitch, yaw', 'deg'),
-            ('aim.distance_m', 'distance to hover at', 'm'),
-            ('aim.nominal_s', 'nominal time', 's'), ('timeout_s', 'length of the run', 's'))),
-        Form('Planning', controller(
-            ('profile.fast_m_s', 'fast', 'm/s'), ('profile.dock_m_s', 'docking', 'm/s'),
-            ('profile.acceleration_m_s2', 'acceleration', 'm/s\u00b2'),
-            ('profile.lateral_s', 'offset away in', 's'), ('safety.active', 'safety strategy'),
-            ('allocation', 'allocation'))),
-        Form('Position loops', loop('position', '1/m')),
-        Form('Attitude loops', loop('attitude', '1/rad')),
-        Form('Camera', (*shared(
-            ('seeing.camera', 'camera'), ('seeing.period_s', 'period', 's'),
-            ('seeing.latency_s', 'latency', 's')),
-            setting(scenario, 'camera', 'image.corner_sigma_px', 'noise of a marker', 'px'),
-            setting(scenario, 'camera', 'image.drop_out', 'views lost'))))
-
-
-def chaser(panels: Panels, tanks: Tanks) -> tuple:
-    """Return the chaser in the scene's axes, from its centre: port towards +x, panels along z."""
-    made = [
-        Cylinder(0.35, 2.1, centre_m=(-0.35, 0.0, 0.0), colour=HULL),
-        Cylinder(0.3, 0.5, 0.4, (0.95, 0.0, 0.0), colour=HULL),
-        Cylinder(0.24, 0.3, 0.3, (1.35, 0.0, 0.0), colour=DARK),
-        Cylinder(0.15, 0.3, 0.34, (-1.55, 0.0, 0.0), colour=DARK),
-        *(Torus(TANK_M, 0.03, (x, 0.0, 0.0), colour=FOIL) for x in tanks.place_m)]
-    for side in (1.0, -1.0):
-        middle = side*(panels.root_m + 0.5*panels.length_m)
-        made += [Box((2*CHORD_M, 0.04, panels.length_m), (0.0, 0.0, middle), CELLS),
-                 Box((0.08, 0.06, panels.root_m), (0.0, 0.0, 0.5*side*panels.root_m), DARK)]
-    return tuple(made)
-
-
-def target() -> tuple:
-    """Return the target: its port looks along -x, with the markers about it."""
-    made = [Cylinder(0.9, 2.2, centre_m=(0.4, 0.0, 0.0), colour=STATION),
-            Cylinder(0.62, 0.6, 0.5, (-0.99, 0.0, 0.0), colour='#8d99a6'),
-            Cylinder(0.36, 0.2, 0.45, (NEAR_X + 0.11, 0.0, 0.0), colour='#59646f'),
-            Torus(0.3, 0.02, (NEAR_X, 0.0, 0.0), colour='#c3cad2'),
-            Box((1.2, 0.05, 5.0), (0.9, 0.0, 3.5), CELLS), Box((1.2, 0.05, 5.0), (0.9, 0.0, -3.5), CELLS)]
-    for points, size, colour in ((markers.BIG, 0.03, '#ffffff'), (markers.SMALL, 0.009, '#ffe08a')):
-        for point in seen(markers.TARGET_PORT + points):
-            reach = float(NEAR_X - point[0])
-            if reach > 0.0:             # it stands out
-                made.append(Box((reach, 0.4*size, 0.4*size), (NEAR_X - 0.5*reach, 0.0, 0.0), DARK))
-            made.append(Cylinder(size, 0.01, centre_m=tuple(point.tolist()), colour=colour, lit=False))
-    return tuple(made)
