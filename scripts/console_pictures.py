@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
 """
-Make the pictures of the console in docs/images: a flight by keys, and its review.
+Make the pictures of the console in docs/images: a flight by keys, and its review; missions watched.
 
-    ./rvd shell scripts/console_pictures.py
+    ./rvd shell scripts/console_pictures.py             # the lunar approach, flown by keys
+    ./rvd shell scripts/console_pictures.py docking     # a mission that is watched
+    ./rvd shell scripts/console_pictures.py tether
 
 Needs playwright and Chromium, like the browser tests, whose scripted pilot flies here.
 """
@@ -23,10 +25,64 @@ SHARP = ('(() => { Object.assign(rvd.scene, {adaptive: false, quality: 2}); '
 FAST = SHARP.replace('quality: 2', 'quality: 0.5')
 
 
-def main() -> None:
+# Of a mission that is watched: when the live picture is taken, and where the review stands [s]; what
+# is written into the forms before.
+WATCHED = {'docking': (40.0, 8.0, {'/** timeout_s': '100'}), 'tether': (60.0, 14.0, {})}
+TALL = {'width': 1280, 'height': 800}
+
+
+def main(mission: str = '') -> None:
     """Fly and take the pictures."""
     images = ROOT / 'docs' / 'images'
     images.mkdir(exist_ok=True)
+    if mission:
+        watched(mission, images)
+    else:
+        by_keys(images)
+
+
+def watched(mission: str, images: Path) -> None:
+    """Watch a mission: its settings, if it has forms, a moment of the run, one of the review."""
+    live_s, review_s, wishes = WATCHED[mission]
+    console = Console(Path(tempfile.mkdtemp()), mission, '--pace', 'lockstep', '--processes', 'one',
+                      '--seed', '1')
+    try:
+        with playwright()() as play:
+            browser = play.chromium.launch(executable_path=chromium(), args=FLAGS)
+            page = open_page(browser, console, look='fine')
+            page.set_viewport_size(TALL)
+            page.keyboard.press('t')
+            until(page, "rvd.store.status.lease === 'you'")
+            page.keyboard.press('n')
+            for key, text in wishes.items():
+                page.fill(f'[data-setting="{key}"]', text)
+            page.evaluate(FAST)
+            if wishes:
+                page.wait_for_timeout(500)
+                page.screenshot(path=images / f'{mission}-console-forms.png')
+            page.click('#new-start')
+            until(page, f'rvd.store.frame?.t > {live_s} || Boolean(rvd.store.verdict)', 600.0)
+            page.evaluate(SHARP)
+            page.wait_for_timeout(700)
+            page.screenshot(path=images / f'{mission}-console.png')
+            page.evaluate(FAST)
+            until(page, 'Boolean(rvd.store.verdict)', 600.0)
+            until(page, "rvd.store.status.phase === 'ended'", 120.0)
+            page.keyboard.press('Escape')
+            page.keyboard.press('l')
+            page.click('[data-run]')
+            until(page, 'rvd.review.on', 120.0)
+            page.evaluate(f'rvd.review.go(rvd.review.run.frames.findIndex((f) => f.t > {review_s}))')
+            page.evaluate(SHARP)
+            page.wait_for_timeout(2500)
+            page.screenshot(path=images / f'{mission}-console-review.png')
+            browser.close()
+    finally:
+        console.close()
+
+
+def by_keys(images: Path) -> None:
+    """Fly the lunar approach by keys."""
     console = Console(Path(tempfile.mkdtemp()), 'hand', '--pace', '1', '--seed', '12')
     try:
         with playwright()() as play:
@@ -63,4 +119,4 @@ def main() -> None:
 
 
 if __name__ == '__main__':
-    main()
+    main(*sys.argv[1:2])

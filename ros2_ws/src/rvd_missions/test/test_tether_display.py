@@ -44,14 +44,27 @@ def test_the_display_is_data_and_draws_tether_sight_and_cone():
     display = display_of(SCENARIO)
     assert encode(as_data(display.display))
     made = display.derive({SITUATION.name: Sample(3, 3.0, True, {
-        'gripper': [10.0, 1.0, 0.0], 'target': [41.0, 0.0, 0.0],
+        'gripper': [10.0, 1.0, 0.0], 'target': [41.0, 0.0, -2.0],
         'attitude': [0.0, 0.0, 0.0, 1.0]})})
-    assert made['tether'] == [[0.0, 0.0, 0.0], [10.0, 1.0, 0.0]]
-    assert made['sight'] == [[10.0, 1.0, 0.0], [41.0, 0.0, 0.0]]
-    cone = np.array(made['cone']) - [10.0, 1.0, 0.0]
+    # y points to the Earth and is drawn downwards
+    assert made['tether'] == [[0.0, 0.0, 0.0], [10.0, -1.0, 0.0]]
+    assert made['sight'] == [[10.0, -1.0, 0.0], [41.0, 0.0, 2.0]]
+    cone = np.array(made['cone']) - [10.0, -1.0, 0.0]
     edge = cone[np.linalg.norm(cone, axis=1) > 1.0]
     assert_allclose(np.arccos(edge[:, 0]/np.linalg.norm(edge, axis=1)), 0.4, atol=1e-9)
+    angle = np.arctan(np.hypot(1.0, 2.0)/31.0)
+    assert_allclose(made['spot'], [0.0, angle/np.sqrt(5.0), 2.0*angle/np.sqrt(5.0)])
+    assert made['margin'] == [f'{0.4 - angle:.2f} rad', False]
     assert display.derive({})['tether'] is None
+
+
+def test_a_review_shows_the_true_gripper_and_no_other_frame_does(flown):
+    display = display_of(SCENARIO)
+    state = flown.history[TRUTH.name].state[-1, 0]
+    made = display.beside({}, {'state': state.tolist()})
+    assert_allclose(made['gripper'], state[:3]*[1.0, -1.0, -1.0])
+    shown = display.derive({})
+    assert 'truth' not in display.derives_from and set(shown.values()) == {None}
 
 
 def test_figures_of_a_run_are_drawn(flown):

@@ -22,8 +22,10 @@ from rvd_campaign.exits import CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_INTERRUPT
 from rvd_campaign.flight.domain import reserved_domain
 from rvd_campaign.interrupts import all_like_ctrl_c
 from rvd_dynamics import lifeline
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.display import as_data
 from rvd_dynamics.diagram.scenario import Scenario
+from rvd_groundstation.console.forms import with_wishes
 from rvd_groundstation.console.provider import display_of
 
 URL_S = 30.0                    # [s] wall time for the page to be there
@@ -155,7 +157,11 @@ def _serve(page: ConsoleProcess, args: argparse.Namespace, scenario: Scenario, r
                 return EXIT_DONE if flown == 0 else code
             if wish['do'] != 'fly':
                 continue
-            asked = _as_wished(scenario, wish, flown)
+            try:
+                asked = _as_wished(scenario, wish, flown)
+            except BadInput as error:
+                page.tell('refused', '', _told(error, scenario))
+                continue
             out = _folder(args, wish, runs, flown)
             run_dir = fly.new_folder(None if out is None else str(out), asked.name)
             code = _fly(page, asked, run_dir, runs, domain, args.headless)
@@ -169,7 +175,15 @@ def _as_wished(scenario: Scenario, wish: dict[str, Any], flown: int) -> Scenario
     values = {'seed': wish.get('seed', scenario.run.seed + flown)}
     if 'mode' in wish and scenario.has_shared('mode'):
         values['mode'] = wish['mode']
-    return scenario.with_values('/**', **values)
+    asked = scenario.with_values('/**', **values)
+    if 'settings' in wish:
+        asked = with_wishes(asked, display_of(scenario).display.forms, wish['settings'])
+    return asked
+
+
+def _told(error: BadInput, scenario: Scenario) -> str:
+    """Return why a wish is refused, without the name of the scenario, which the page knows."""
+    return str(error).removeprefix(f'scenario {scenario.name}: ')
 
 
 def _folder(args: argparse.Namespace, wish: dict[str, Any], runs: Path, flown: int
@@ -193,9 +207,9 @@ def _fly(page: ConsoleProcess, scenario: Scenario, run_dir: Path, runs: Path, do
         if page.stop_asked():
             stopped.append(True)
         return bool(stopped)
-    code = fly.Flight(scenario, run_dir, domain, headless, stop_asked,
-                      console=True).fly()
+    flight = fly.Flight(scenario, run_dir, domain, headless, stop_asked, console=True)
+    code = flight.fly()
     if code == EXIT_INTERRUPTED and not stopped:
         raise KeyboardInterrupt
-    page.tell('ended', name, 'failed' if code == EXIT_CANNOT else '')
+    page.tell('ended', name, f'failed {flight.problem}' if code == EXIT_CANNOT else '')
     return code

@@ -177,6 +177,7 @@ class Flight:
         self._headless = headless
         self._stop_asked = stop_asked
         self._run_id = new_run()
+        self.problem = ''                       # why the run could not be flown
         self._fault = False                     # of this software: not what it was given
         self._supervisor = Supervisor(
             catalogue.root() / 'scripts' / 'bringup.sh', run_dir / 'scenario.yaml', run_dir,
@@ -207,6 +208,7 @@ class Flight:
                 self._watch.close()
                 self._end_line()
         if problem is not None:
+            self.problem = problem
             print(f'rvd fly: {problem}', file=sys.stderr)
             print(f'rvd fly: logs are in {self._run_dir / "logs"}', file=sys.stderr)
             return EXIT_FAULT if self._fault else EXIT_CANNOT

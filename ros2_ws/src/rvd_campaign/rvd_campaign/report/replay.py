@@ -9,6 +9,7 @@ truth, which the ground must not know, is read outside of it. Exit codes: 0 done
 finished run, 2 nothing to show, with one line that says why.
 """
 
+from functools import partial
 import os
 import sys
 from collections.abc import Callable
@@ -20,10 +21,11 @@ from rvd_dynamics.diagram.display import TRUTH
 from rvd_dynamics.diagram.judge import for_page, from_message
 from rvd_dynamics.recording.messages import files_of, MessageFile, Stored
 from rvd_dynamics.recording.recording import scenario_of
+from rvd_dynamics.link.signals import FRAME
 from rvd_groundstation.console.decode import COMMANDS, link_of, SAMPLES, telemetry_of
 from rvd_groundstation.console.feed import Feed
 from rvd_groundstation.console.protocol import encode
-from rvd_groundstation.console.provider import display_of, on_ground, PILOT
+from rvd_groundstation.console.provider import display_of, on_ground
 
 MOST_FRAMES = 900
 SCENARIO, LINK, EVENTS, VERDICT = ('/run/scenario', '/link/back/status', '/run/events',
@@ -88,15 +90,19 @@ class Replay:
             raise BadInput(note)
         feed = self._feed = Feed(display_of(scenario))
         display, signals = feed.display, on_ground(scenario.diagram)
-        self._width = signals[display.measured].parts[0].shape[0]
+        measured = signals[display.measured]
+        self._width = measured.parts[0].shape[0] if measured.message == FRAME else 0
         self._command_of = COMMANDS[signals[display.commands.sent].message]
         self._truth_of = SAMPLES[scenario.diagram.truth.message]
         self._shown = frozenset(display.parts()) | frozenset(feed.provider.derives_from)
         self._every = max(1, -(-feed.facts.last_step // MOST_FRAMES))
         self._takers = {
-            display.measured: self._telemetry, display.commands.sent: self._command,
-            PILOT: self._joy, LINK: self._link, scenario.diagram.truth.name: self._on_truth,
+            display.commands.sent: self._command, LINK: self._link,
+            **{topic: partial(self._joy, topic) for topic in feed.provider.sticks},
+            scenario.diagram.truth.name: self._on_truth,
             EVENTS: self._event, VERDICT: self._on_verdict}
+        if measured.message == FRAME:
+            self._takers[display.measured] = self._telemetry
 
     def content(self) -> dict[str, Any]:
         """Return all of it."""
@@ -104,7 +110,10 @@ class Replay:
             raise BadInput('the bag of this run holds nothing that can be shown')
         for frame in self._frames:
             if frame['k'] in self._truth:
-                frame['signals'][TRUTH] = self._truth[frame['k']]
+                truth = frame['signals'][TRUTH] = self._truth[frame['k']]
+                shown = {name: signal['parts'] for name, signal in frame['signals'].items()
+                         if signal['ok']}
+                truth['parts'].update(self._feed.provider.beside(shown, truth['parts']))
         return {**self._feed.run_message(self._name), 'type': 'review', 'frames': self._frames,
                 'ladder': self._feed.ladder.changes(), 'events': self._events,
                 'verdict': self._verdict}
@@ -113,8 +122,8 @@ class Replay:
         self._feed.telemetry(telemetry_of(m, self._feed.facts.step_s, self._width,
                                           self._feed.provider.measured))
 
-    def _joy(self, m: Any) -> None:
-        self._feed.pilot(*self._feed.provider.pilot(m.axes, m.buttons))
+    def _joy(self, topic: str, m: Any) -> None:
+        self._feed.pilot(*self._feed.provider.heard_joy(topic, m.axes, m.buttons))
 
     def _link(self, m: Any) -> None:
         self._feed.link(link_of(m))

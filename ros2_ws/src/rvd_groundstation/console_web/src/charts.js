@@ -8,20 +8,58 @@ import { part } from './data.js';
 const $ = (id) => document.getElementById(id);
 const COLOURS = ['#7cc4ff', '#56d6b0', '#d59bf6', '#ffb652', '#f2f5f8', '#ff7a5c'];
 
+// The truth among others is white, as everywhere.
+const colourOf = ({ curves }, i) => (curves[i].signal === 'truth' && curves.some((one) => one.signal !== 'truth') ? '#f2f5f8' : COLOURS[i]);
+
 function options(strip, width, height, rem) {
   const axis = { stroke: '#8fa1b3', grid: { stroke: '#1b2733', width: 1 }, ticks: { stroke: '#1b2733' },
     font: `${0.68 * rem}px system-ui`, size: 2.3 * rem };
   const dashed = { stroke: '#ffb65290', width: 1, dash: [4, 4], points: { show: false } };
   return {
     width, height, legend: { show: false }, cursor: { show: false }, padding: [rem * 0.3, rem * 0.4, 0, 0],
+    hooks: { draw: [(u) => mark(u, strip, rem)] },
     scales: { x: { time: false }, y: { range: (u, low, high) => {
+      if (!strip.centred) return around([low, high, ...strip.levels], strip.least);
       const most = Math.max(Math.abs(low || 0), Math.abs(high || 0), strip.least);
       return [-most * 1.1, most * 1.1];
     } } },
-    axes: [{ ...axis, size: 1.5 * rem, gap: 1 }, { ...axis, gap: 1, space: 1.5 * rem, label: strip.title, labelSize: 1.1 * rem,
+    axes: [{ ...axis, size: 1.5 * rem, gap: 1 }, { ...axis, gap: 1, space: 1.2 * rem, label: strip.title, labelSize: 1.1 * rem,
       labelFont: `${0.7 * rem}px system-ui` }],
-    series: [{}, ...strip.curves.map((_, i) => ({ stroke: COLOURS[i], width: 1.5, points: { show: false } })), dashed, dashed],
+    series: [{}, ...strip.curves.map((_, i) => ({ stroke: colourOf(strip, i), width: 1.5, points: { show: false } })), dashed, dashed],
   };
+}
+
+// A range that holds all of some numbers, at least `least` wide.
+function around(numbers, least) {
+  const known = numbers.filter((v) => Number.isFinite(v));
+  const [low, high] = known.length ? [Math.min(...known), Math.max(...known)] : [0, least];
+  const more = Math.max((high - low) * 0.06, (least - (high - low)) / 2);
+  return [low - more, high + more];
+}
+
+// The levels of a strip, and the names of its curves in their colours.
+function mark(u, strip, rem) {
+  const pen = u.ctx;
+  const ratio = devicePixelRatio || 1;
+  const { left, top, width } = u.bbox;
+  pen.save();
+  pen.strokeStyle = '#8aa4bd';
+  pen.lineWidth = ratio;
+  pen.setLineDash([3 * ratio, 3 * ratio]);
+  for (const level of strip.levels) {
+    const y = u.valToPos(level, 'y', true);
+    pen.beginPath(); pen.moveTo(left, y); pen.lineTo(left + width, y); pen.stroke();
+  }
+  pen.font = `${0.68 * rem * ratio}px system-ui`;
+  pen.textBaseline = 'top';
+  pen.textAlign = 'right';
+  let x = left + width - 0.3 * rem * ratio;
+  for (let i = strip.names.length - 1; i >= 0; i -= 1) {
+    pen.fillStyle = colourOf(strip, i);
+    pen.fillText(strip.names[i], x, top + 0.15 * rem * ratio);
+    x -= pen.measureText(strip.names[i]).width + 0.7 * rem * ratio;
+  }
+  pen.restore();
 }
 
 class Strip {

@@ -86,7 +86,8 @@ export class History {
   }
 
   plot(strip, chart, frame) {
-    const newest = sample(frame, strip.curves[0].signal);
+    const signals = [...strip.curves, strip.spread].filter(Boolean).map((one) => one.signal);
+    const newest = sample(frame, signals.find((signal) => signal !== 'truth') ?? 'truth');
     if (!newest || newest.t <= (chart.t[chart.t.length - 1] ?? -Infinity)) return;
     chart.t.push(newest.t);
     strip.curves.forEach((curve, i) => chart.curves[i].push(number(frame, curve) ?? null));

@@ -38,6 +38,7 @@ function keyRows(display) {
   const rows = (controller?.axes || []).map((axis) => [
     axis.keys.map((pair) => pair.map(keyName).join(' / ')).join(` ${S.or} `),
     `${controller.verb} ${axis.positive} / ${axis.negative} (${axis.name})`]);
+  for (const button of controller?.buttons || []) rows.push([keyName(button.key), button.words]);
   const steps = controller?.key_deflections.length || 0;
   if (steps > 1) rows.push([Array.from({ length: steps }, (_, i) => i + 1).join(' '), fill(S.help_step, { name: controller.step_name })]);
   return rows;
@@ -56,24 +57,58 @@ export function refused(code) {
   return REFUSED[code] || code;
 }
 
-export function newRun(store, start) {
+// Fields of a form of the display, filled with what was written last or with what they are.
+function formRows(form, written) {
+  const rows = form.fields.map((field) => {
+    const name = `${field.section} ${field.key}`;
+    const now = written[name] ?? field.value;
+    const mark = `data-setting="${escape(name)}" title="${escape(`${field.key}: ${field.hint}`)}"`;
+    const input = field.choices.length
+      ? `<select ${mark}>${field.choices.map((c) => `<option ${c === now ? 'selected' : ''}>${escape(c)}</option>`).join('')}</select>`
+      : `<input ${mark} value="${escape(now)}" maxlength="200">`;
+    return `<label>${escape(field.label)} ${input} <span class="dim">${escape(field.unit)}</span></label>`;
+  });
+  return `<fieldset><legend>${escape(form.title)}</legend>${rows.join('')}</fieldset>`;
+}
+
+// What was written into the forms and is not what the scenario has, by 'section key'.
+function changed(dialog, forms) {
+  const found = {};
+  for (const form of forms) {
+    for (const field of form.fields) {
+      const name = `${field.section} ${field.key}`;
+      const now = [...dialog.querySelectorAll('[data-setting]')].find((one) => one.dataset.setting === name).value;
+      if (now.trim() !== field.value) found[name] = now;
+    }
+  }
+  return found;
+}
+
+let written = {}; // into the forms, for the next time they are open
+
+export function newRun(store, start, error = '') {
   if (!store.can.fly) {
     message(S.new_run, S.no_fly);
     return;
   }
   const modes = store.display?.modes || [];
+  const forms = store.display?.forms || [];
   const mode = store.frame?.mode || store.run?.mode || 'shared';
   const options = modes.map((m) => `<option value="${m}" ${m === mode ? 'selected' : ''}>${S[`mode_${m}`]}</option>`);
   open(`<h3>${S.new_run}</h3><p>${S.new_run_text}</p>
     <p>${modes.length ? `<label>${S.mode} <select id="new-mode">${options.join('')}</select></label> &nbsp;` : ''}
     <label>${S.seed} <input id="new-seed" size="15" inputmode="numeric" placeholder="${S.seed_hint}"></label></p>
-    <p id="new-error" class="alarm"></p>
+    <div class="forms">${forms.map((form) => formRows(form, written)).join('')}</div>
+    <p id="new-error" class="alarm" role="alert">${escape(error)}</p>
     <div class="buttons"><button data-close>${S.cancel}</button><button class="primary" id="new-start">${S.start}</button></div>`,
   (dialog) => {
+    dialog.classList.toggle('wide', forms.length > 0);
+    dialog.onclose = () => dialog.classList.remove('wide');
     const go = async () => {
       const text = dialog.querySelector('#new-seed').value.trim();
       const wish = { do: 'fly', mode: dialog.querySelector('#new-mode')?.value ?? null };
       if (text) wish.seed = Number(text);
+      if (forms.length) wish.settings = written = changed(dialog, forms);
       const reply = await start(wish);
       if (reply.ok) dialog.close();
       else dialog.querySelector('#new-error').textContent = refused(reply.code);

@@ -2,6 +2,7 @@
 
 import { BY, REASONS, S, fill } from './strings.js';
 import { COLOUR, begin, ring, say, text } from './canvas.js';
+import { drawPixels } from './cockpit.js';
 import { along, amount, number as read, part, place, sample } from './data.js';
 
 const $ = (id) => document.getElementById(id);
@@ -10,7 +11,8 @@ const COLUMNS = ['measured', 'predicted', 'truth', 'plain'];
 
 export function number(value, digits) {
   if (value === null || value === undefined || !Number.isFinite(value)) return S.unknown;
-  return value.toFixed(digits).replace('-', '−');
+  const words = value.toFixed(digits);
+  return Number(words) === 0 ? words.replace('-', '') : words.replace('-', '−'); // no minus before zero
 }
 
 // A limit as it stands beside a value: one that never changes as it was given.
@@ -120,8 +122,8 @@ export function drawSection(section, frame) {
     ring(pen, cx, cy, radius * scale, COLOUR[one.role], one.dashed ? [rem * 0.3, rem * 0.25] : null);
     if (one.written) text(pen, `${radius.toFixed(2)} m`, cx + radius * scale * 0.72, cy - radius * scale * 0.72 - rem * 0.3, COLOUR[one.role]);
   }
-  text(pen, axisName(section.up), cx + rem * 0.3, cy - size, COLOUR.dim);
-  text(pen, axisName(section.right), cx + size, cy - rem * 0.6, COLOUR.dim, 'right');
+  text(pen, section.names?.[1] ?? axisName(section.up), cx + rem * 0.3, cy - size, COLOUR.dim);
+  text(pen, section.names?.[0] ?? axisName(section.right), cx + size, cy - rem * 0.6, COLOUR.dim, 'right');
   const at = (p) => [cx + along(section.right, p) * scale, cy - along(section.up, p) * scale];
   for (const spot of section.spots) {
     const p = place(frame, spot.place);
@@ -168,8 +170,9 @@ function barOf(colour) {
 }
 
 export class Commands {
-  setDisplay({ commands }) {
+  setDisplay({ commands, link }) {
     this.commands = commands;
+    this.link = link;
     $('commands-title').textContent = commands.unit ? `${commands.title}, ${commands.unit}` : commands.title;
     const axes = commands.axes.map((axis) => element('span', 'dim', axis.name));
     const names = commands.rows.map((row) => element('span', row.role === 'automatic' ? 'auto' : '', row.label));
@@ -190,7 +193,7 @@ export class Commands {
       const values = said?.parts[row.value.part];
       this.commands.axes.forEach((axis, i) => this.bar(bars[i], values?.[i] ?? null, axis.highest));
     }
-    const words = sent ? [BY[sent.parts.by]] : [];
+    const words = sent && this.link ? [BY[sent.parts.by]] : [];
     if (sent && sent.parts.weight !== null && sent.parts.by === 3) words.push(`${S.weight} ${sent.parts.weight}`);
     if (sent && REASONS[sent.parts.reason]) words.push(REASONS[sent.parts.reason]);
     say($('why'), words.join(' · '));
@@ -290,6 +293,7 @@ export function reticle(canvas, scene, camera, frame) {
     pen.strokeStyle = `${colour}80`; // the line of sight
     pen.beginPath(); pen.moveTo(cx, cy); pen.lineTo(x, y); pen.stroke();
   }
+  if (camera.pixels) drawPixels(pen, { w, h, rem }, camera.pixels, frame, scene.cameraTan);
   if (camera.gauge) drawGauge(pen, w, h, rem, camera.gauge, frame, isTruth);
   const distance = camera.distance.map((one) => read(frame, one.value)).find((v) => v !== undefined);
   if (distance !== undefined) text(pen, `${number(distance, camera.digits)} ${camera.unit}`, rem * 0.6, h - rem * 0.9, COLOUR.measured);

@@ -28,7 +28,7 @@ function sample() {
   const held = alive && stick.held;
   sequence = (sequence + 1) & 0xffff;
   view.setUint8(0, STICK_KIND);
-  view.setUint8(1, held ? 1 : 0);
+  view.setUint8(1, held ? 1 | ((stick.buttons || 0) << 1) : 0);
   view.setUint16(2, sequence, true);
   for (let i = 0; i < AXES; i += 1) view.setFloat32(4 + 4 * i, (held && stick.at[i]) || 0, true);
   view.setFloat64(4 + 4 * AXES, performance.timeOrigin + performance.now(), true);

@@ -49,6 +49,7 @@ function take(message) {
   if ((message.type === 'run' || message.type === 'hello') && !review.on) refreshRun();
   if (message.type === 'status') {
     if (message.phase === 'starting' && phase !== 'starting') dialogs.close();
+    if (message.phase === 'refused' && phase !== 'refused' && message.lease === 'you') newRun(message.note);
     if (message.phase === 'ended' && phase === 'closing' && dialogs.runsShown()) review.list();
     if (message.lease === 'you' && lease !== 'you') stick.taken();
     showStatus();
@@ -73,7 +74,7 @@ function refreshRun() {
     $('run-name').textContent = '';
     return;
   }
-  $('run-name').textContent = `${store.run.name} · ${store.run.forward_s} s + ${store.run.back_s} s`;
+  $('run-name').textContent = display.link ? `${store.run.name} · ${store.run.forward_s} s + ${store.run.back_s} s` : store.run.name;
   $('run-name').title = $('run-name').textContent;
 }
 
@@ -109,9 +110,9 @@ function showAbort() {
   $('abort').querySelector('small').textContent = armed ? S.abort_armed : S.abort_hint;
 }
 
-function newRun() {
+function newRun(error = '') {
   if (store.status.lease !== 'you') link.ask({ do: 'take' });
-  dialogs.newRun(store, (wish) => link.ask(wish));
+  dialogs.newRun(store, (wish) => link.ask(wish), error);
 }
 
 function nextMode() {
@@ -120,7 +121,7 @@ function nextMode() {
 }
 
 const PRESSES = {
-  KeyT: toggleLease, KeyP: togglePause, KeyX: abort, KeyN: newRun, KeyV: () => panels.nextView(),
+  KeyT: toggleLease, KeyP: togglePause, KeyX: abort, KeyN: () => newRun(), KeyV: () => panels.nextView(),
   KeyL: () => review.list(), KeyG: () => padDialog(stick, store.display), Slash: () => dialogs.help(store.display),
   KeyM: nextMode,
   Equal: () => scene.zoom(0.85), Minus: () => scene.zoom(1.18),
@@ -134,7 +135,7 @@ addEventListener('keydown', (event) => {
 $('lease').onclick = toggleLease;
 $('pause').onclick = togglePause;
 $('abort').onclick = abort;
-$('restart').onclick = newRun;
+$('restart').onclick = () => newRun();
 $('open-review').onclick = () => review.list();
 $('open-settings').onclick = () => padDialog(stick, store.display);
 $('open-help').onclick = () => dialogs.help(store.display);
@@ -172,10 +173,11 @@ function showBanner(silence) {
   else if (!store.connected && link) banner(S.socket_closed, '', true);
   else if (status.phase === 'idle') banner(S.idle, S.idle_text);
   else if (status.phase === 'starting') banner(S.starting, status.run || '');
-  else if (status.note === 'failed') banner(S.run_failed, '', true);
+  else if (status.phase === 'refused') banner(S.run_refused, status.note, true);
+  else if (status.note?.startsWith('failed')) banner(S.run_failed, status.note.slice(7), true);
   else if (silence > STALE_S) banner(fill(S.stale_frames, { s: silence.toFixed(0) }), '', true);
   else if (store.abortAt !== null && !verdict && frame) {
-    const acts = [...store.ladder.values()].some(inForce);
+    const acts = !store.display.link || [...store.ladder.values()].some(inForce);
     const does = store.display.abort;
     const since = frame.t - store.abortAt;
     // Telemetry of the step in which it acts at the latest has come down by then, if any has.

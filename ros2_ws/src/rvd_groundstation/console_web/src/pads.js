@@ -77,7 +77,7 @@ class PadDialog {
     const rows = stick.axes.map((axis) => {
       const wiring = stick.wiring(pad, axis);
       return `<tr><td>${escape(`${axis.positive} / ${axis.negative}`)}</td>
-        <td><label>${S.settings_axis} <input type="number" class="short" min="${NO_AXIS}" max="${pad.axes.length - 1}" data-axis="${axis.name}" value="${wiring?.axis ?? ''}"></label></td>
+        <td>${wiring?.pair ? `${fill(S.settings_pair, { plus: wiring.pair[0], minus: wiring.pair[1] })} ` : ''}<label>${S.settings_axis} <input type="number" class="short" min="${NO_AXIS}" max="${pad.axes.length - 1}" data-axis="${axis.name}" value="${wiring?.axis ?? ''}"></label></td>
         <td><label><input type="checkbox" data-invert="${axis.name}" ${wiring?.sign < 0 ? 'checked' : ''}> ${S.settings_invert}</label></td>
         <td>${S.settings_now} <b data-now="${axis.name}"></b></td></tr>`;
     });

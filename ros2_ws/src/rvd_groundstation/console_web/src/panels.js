@@ -3,6 +3,7 @@
 import { Charts } from './charts.js';
 import { Commands, Instruments, clock, dial, drawSection, linkCounts, number, reticle, setSection } from './instruments.js';
 import { COLOUR, say } from './canvas.js';
+import { drawAttitude, drawLamps, setAttitude, setLamps } from './cockpit.js';
 import { sample } from './data.js';
 import { counts, ladder } from './ladder.js';
 import { scaleText } from './scene.js';
@@ -34,6 +35,10 @@ export class Panels {
     this.commands.setDisplay(display);
     this.charts.setDisplay(display);
     setSection(display.section);
+    setAttitude(display.attitude);
+    setLamps(display.lamps);
+    for (const id of ['trip', 'ladder-panel']) $(id).hidden = !display.link;
+    $('clock-rx').parentElement.hidden = !display.link;
     $('camera').hidden = !display.camera;
     $('clock-pred').parentElement.hidden = !display.predicted;
     if (display.camera) {
@@ -85,16 +90,22 @@ export class Panels {
     const measured = sample(frame, display.measured);
     this.instruments.show(frame, stale);
     if (display.section) drawSection(display.section, frame);
+    if (display.attitude) drawAttitude(display.attitude, frame);
+    if (display.lamps) drawLamps(display.lamps, frame);
     this.commands.show(frame);
-    dial($('dial'), run, frame.round_trip, measured?.transit);
-    linkCounts(frame, measured, run.step_s);
-    ladder($('ladder'), run, display.commands.axes, rungs, now);
-    say($('ladder-counts'), counts(rungs));
+    if (display.link) this.showLink(run, frame, measured, rungs, now);
     this.scene.place(frame, history, now, stale);
     if (performance.now() - this.chartsAt > CHARTS_MS) {
       this.chartsAt = performance.now();
       this.charts.show(history.charts, frame, until);
     }
+  }
+
+  showLink(run, frame, measured, rungs, now) {
+    dial($('dial'), run, frame.round_trip, measured?.transit);
+    linkCounts(frame, measured, run.step_s);
+    ladder($('ladder'), run, this.display.commands.axes, rungs, now);
+    say($('ladder-counts'), counts(rungs));
   }
 
   showReticle(frame) {

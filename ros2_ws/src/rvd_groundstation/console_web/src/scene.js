@@ -156,7 +156,7 @@ export class Scene {
     for (const name of names) {
       const { item } = this.bodies.find((body) => body.item.name === name);
       const at = place(this.frame, item.place, item.axes);
-      if (at) return { item, at };
+      if (at) return { item, at, turn: item.attitude ? part(this.frame, item.attitude) : undefined };
     }
     return null;
   }
@@ -234,10 +234,11 @@ export class Scene {
     if (flat) for (const { object } of this.bodies) object.scale.set(1, 1, 1);
     if (!this.display.camera || camera.height <= 20) return;
     // The camera sees what does not move, so its picture changes with its place alone.
-    const eye = this.known(this.display.camera.carried_by)?.at || this.display.camera.start_m;
-    if (eye.some((c, i) => c !== this.shot[i])) {
-      this.shot = [...eye];
-      this.aim(this.display.camera, eye, camera);
+    const { at, turn } = eyeOf(this.display.camera, this.known(this.display.camera.carried_by));
+    const now = [...at, ...turn];
+    if (now.some((c, i) => c !== this.shot[i])) {
+      this.shot = now;
+      this.aim(this.display.camera, at, turn, camera);
       this.into(camera, this.onboard, true);
     }
   }
@@ -272,11 +273,12 @@ export class Scene {
     return lens;
   }
 
-  aim(camera, eye, rect) {
+  aim(camera, eye, turn, rect) {
     const lens = this.onboard;
-    lens.up.copy(vector(camera.up));
+    const turned = new THREE.Quaternion(...turn);
+    lens.up.copy(vector(camera.up).applyQuaternion(turned));
     lens.position.set(...eye);
-    lens.lookAt(lens.position.clone().add(vector(camera.look)));
+    lens.lookAt(lens.position.clone().add(vector(camera.look).applyQuaternion(turned)));
     const range = Math.max(along(camera.look, camera.aim_m) - along(camera.look, eye), 0.4);
     const [least, most] = camera.half_field;
     this.cameraTan = Math.max(least, Math.min(most, camera.half_height_m / range));
@@ -372,6 +374,14 @@ export class Scene {
     }
     return n;
   }
+}
+
+// Where a camera is and how it is turned, on the body that carries it; at its start before that is known.
+function eyeOf(camera, carrier) {
+  if (!carrier) return { at: camera.start_m, turn: [0, 0, 0, 1] };
+  const turn = (camera.turns && carrier.turn) || [0, 0, 0, 1];
+  const arm = new THREE.Vector3(...camera.at_m).applyQuaternion(new THREE.Quaternion(...turn));
+  return { at: [carrier.at[0] + arm.x, carrier.at[1] + arm.y, carrier.at[2] + arm.z], turn };
 }
 
 // Take something out of the scene, and out of the memory of the graphics processor.

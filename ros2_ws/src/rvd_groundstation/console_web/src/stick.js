@@ -42,6 +42,7 @@ export class Stick {
     this.deflections = controller?.key_deflections || [1];
     this.step = Math.min(this.step, this.deflections.length);
     this.keys = new Map(); // code: [axis, sense]
+    this.buttons = controller?.buttons || [];
     this.axes.forEach((axis, i) => axis.keys.forEach(([up, down]) => this.keys.set(up, [i, 1]).set(down, [i, -1])));
     this.disarm();
   }
@@ -62,6 +63,7 @@ export class Stick {
   wiring(pad, axis) {
     const own = this.settings.pads[pad.id]?.axes[axis.name];
     if (own) return own.axis < pad.axes.length ? own : null;
+    if (pad.mapping === 'standard' && axis.pad_pair) return axis.pad_pair.every((b) => b < pad.buttons.length) ? { pair: axis.pad_pair, sign: 1 } : null;
     if (pad.mapping !== 'standard' || axis.pad_axis >= pad.axes.length) return null;
     return { axis: axis.pad_axis, sign: axis.pad_inverted ? -1 : 1 };
   }
@@ -113,6 +115,7 @@ export class Stick {
     return this.axes.map((axis) => {
       const wiring = this.wiring(pad, axis);
       if (!wiring) return null;
+      if (wiring.pair) return shaped(amountOf(pad, wiring.pair[0]) - amountOf(pad, wiring.pair[1]), this.settings.deadZone);
       return wiring.axis === NO_AXIS ? 0 : wiring.sign * shaped(pad.axes[wiring.axis], this.settings.deadZone);
     });
   }
@@ -129,7 +132,8 @@ export class Stick {
       this.send(true);
       return;
     }
-    if (!this.keys.has(event.code) && event.code !== 'Space') return;
+    const button = this.buttons.some((one) => one.key === event.code);
+    if (!this.keys.has(event.code) && !button && event.code !== 'Space') return;
     if (event.code === 'Space' && !this.settings.holdSpace) return;
     event.preventDefault();
     if (event.repeat) return; // held since before the stick was taken or the page left
@@ -167,18 +171,27 @@ export class Stick {
     return this.holds() ? this.axes.filter((_, i) => !this.armed[i]).map((axis) => axis.name) : [];
   }
 
+  // Bits of the buttons beside the dead-man that are held.
+  pressed() {
+    const pad = this.source === 'gamepad' ? this.gamepad : null;
+    return this.buttons.reduce((bits, one, i) => {
+      const down = pad ? pad.mapping === 'standard' && pressed(pad, one.pad_button) : this.down.has(one.key);
+      return bits | (down ? 1 << i : 0);
+    }, 0);
+  }
+
   // `at`: the deflection of each axis.
   state() {
     if (this.source === 'gamepad') {
       const held = this.holds();
-      return { held, at: held ? this.deflection(this.gamepad).map((v, i) => (this.armed[i] ? v : 0)) : this.axes.map(() => 0) };
+      return { held, buttons: this.pressed(), at: held ? this.deflection(this.gamepad).map((v, i) => (this.armed[i] ? v : 0)) : this.axes.map(() => 0) };
     }
     const at = this.axes.map(() => 0);
     for (const code of this.down) {
       if (this.keys.has(code)) at[this.keys.get(code)[0]] += this.keys.get(code)[1];
     }
     const deflection = this.deflections[this.step - 1];
-    return { held: there() && (!this.settings.holdSpace || this.down.has('Space')),
+    return { held: there() && (!this.settings.holdSpace || this.down.has('Space')), buttons: this.pressed(),
       at: at.map((v) => Math.max(-1, Math.min(1, v)) * deflection) };
   }
 
@@ -200,6 +213,12 @@ function connected() {
 
 function pressed(pad, index) {
   return Boolean(pad.buttons[index]?.pressed);
+}
+
+// How far a button is pressed: a trigger says it by degrees.
+function amountOf(pad, index) {
+  const button = pad.buttons[index];
+  return button ? Math.max(button.value ?? 0, button.pressed && !button.value ? 1 : 0) : 0;
 }
 
 export function typing(target) {

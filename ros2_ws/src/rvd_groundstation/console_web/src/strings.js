@@ -32,7 +32,7 @@ export const S = {
   unconfirmed: '{name} NOT CONFIRMED', unconfirmed_hint: 'The run did not answer in 2 s. Try again.',
   no_webgl: 'No WebGL: the scene is drawn in lines', no_storage: 'Storage is blocked: settings are not remembered',
   stick_gone: 'GAMEPAD GONE: automatic alone flies', stick_stuck: 'NOT AT REST: {axes} counts as 0 until it has been centred',
-  run_failed: 'The run could not be flown: see the terminal',
+  run_failed: 'The run could not be flown: see the terminal', run_refused: 'No run with these settings',
   verdict_title: 'Verdict', verdict_time: 'time',
   fly_again: 'Fly again (N)', close: 'Close', cancel: 'Cancel', start: 'Start', seed: 'seed', mode: 'mode',
   seed_hint: 'empty: the next one', new_run: 'New run', new_run_text: 'A new run in a new folder. A run under way is stopped.',
@@ -42,7 +42,7 @@ export const S = {
   exaggerated: '{axis} scale × {n}',
   link: { transit: 'transit', p99: 'p99', lost: 'lost', late: 'late', corrupted: 'damaged', gap: 'last gap' },
   age: 'age {s} s', ago: '{s} s ago', ahead: 'in {s} s', now: 'now',
-  settings_title: 'The stick', settings_dead_zone: 'dead zone', settings_axis: 'axis', settings_invert: 'inverted',
+  settings_title: 'The stick', settings_dead_zone: 'dead zone', settings_axis: 'axis', settings_pair: 'buttons {plus} / {minus}, or', settings_invert: 'inverted',
   settings_button: 'dead-man button', settings_space: 'keyboard: hold Space as dead-man',
   settings_none: 'No gamepad seen. Press a button on it.', settings_pads: 'Gamepads', settings_now: 'now',
   pad_notes: { '': '', choose: 'Several gamepads: choose one under Stick (G)', setup: 'The gamepad must be set up under Stick (G) before it flies' },
@@ -106,7 +106,7 @@ export const REASONS = ['', 'nothing due', 'wrong length', 'checksum', 'out of o
 export const LADDER = ['sent', 'due', 'executed', 'effect seen', 'refused', 'missed', 'unknown'];
 export const REFUSED = {
   LEASE: 'Take the stick first (T).', TAKEN: 'Another page has the stick.', NO_RUN: 'No run is under way.',
-  NO_FLY: S.no_fly, NO_ANSWER: 'The run did not answer.', DESK: 'The session says what is flown.', MODE: 'No such mode.', SEED: 'The seed must be a whole number.',
+  NO_FLY: S.no_fly, NO_ANSWER: 'The run did not answer.', DESK: 'The session says what is flown.', MODE: 'No such mode.', SETTINGS: 'Too many settings, or one that is too long.', SEED: 'The seed must be a whole number.',
 };
 
 export function fill(text, values) {

@@ -46,6 +46,8 @@ class Feed:
         if isinstance(content, Heard):
             sample = content.sample
             self.signal(self.display.measured, sample)
+            if not self.display.link:
+                return
             self.ladder.heard(sample.step, content.generated_ns // self.facts.step_ns,
                               content.accepted if self.facts.acknowledged else None,
                               content.refusal)
@@ -65,9 +67,11 @@ class Feed:
         """Take in the command that was sent: with it a step of the ground is over."""
         self.signal(self.display.commands.sent, sample)
         self.step = max(self.step, sample.step)
+        self.provider.sent(sample)
         parts = sample.parts
-        self.ladder.sent(sample.step, parts['sequence'], tuple(parts['value']), parts['kind'])
-        self.ladder.tick(sample.step)
+        if self.display.link:
+            self.ladder.sent(sample.step, parts['sequence'], tuple(parts['value']), parts['kind'])
+            self.ladder.tick(sample.step)
         self._extend_trails(sample.step * self.facts.step_s)
 
     def link(self, status: dict[str, Any]) -> None:
@@ -102,7 +106,7 @@ class Feed:
             'signals': {name: self._sample(name, sample)
                         for name, sample in self._newest.items() if name in self._parts},
             'ladder': self.ladder.changes(since)}
-        made['signals'][DERIVED] = {'ok': True, 'parts': self.derived()}
+        made['signals'][DERIVED] = {'ok': True, 't': made['t'], 'parts': self.derived()}
         if self._link is not None:
             made['link'] = self._link
         if self._gap is not None:

@@ -22,6 +22,7 @@ from rvd_dynamics.diagram.ros.host import Host, listen_for_the_end, message_type
 from rvd_dynamics.diagram.ros.node import RunNode
 from rvd_dynamics.diagram.ros.params import declare
 from rvd_dynamics.diagram.roster import MONITOR, RUN_TOPICS
+from rvd_dynamics.link.signals import FRAME
 from rvd_groundstation.console.decode import COMMANDS, link_of, SAMPLES, telemetry_of
 from rvd_groundstation.console.hub import Hub
 from rvd_groundstation.console.params import ConsoleParams
@@ -53,7 +54,8 @@ class ConsoleNode(RunNode):
         self._raw: dict[str, bytes] = {}
         self._decoded_at = 0.0
         # Only who flies has a stick: the operator of the run may be another one.
-        self._joy = self.writer(PILOT, Joy) if PILOT in self.roster.writes(NAME) else None
+        self._joys = {topic: self.writer(topic, Joy) for topic in self.provider.sticks
+                      if topic in self.roster.writes(NAME)}
         self._control = self.create_client(RunControl, '/run/control')
         self._command_at = time.monotonic()
         self._stamp_ns = -1                     # of the last Joy; -1: not ready yet
@@ -61,13 +63,15 @@ class ConsoleNode(RunNode):
         self._left = False
         display, topics = self.provider.display, self.roster.topics
         signals = on_ground(self.roster.diagram)
-        self._width = signals[display.measured].parts[0].shape[0]
+        self._framed = topics[display.measured] == FRAME
+        self._width = signals[display.measured].parts[0].shape[0] if self._framed else 0
         self._command_of = COMMANDS[topics[display.commands.sent]]
         # What is displayed, and what the writers of this run wait for the console to hear.
         heard = ({*display.parts(), *self.provider.derives_from} & set(signals)
                  | set(self.roster.reads(NAME)) - set(RUN_TOPICS))
         self._kinds = {topic: topics[topic] for topic in sorted(heard)
-                       if topic not in (PILOT, LINK, display.measured, display.commands.sent)}
+                       if topic not in (*self.provider.sticks, LINK, display.commands.sent)
+                       and not (self._framed and topic == display.measured)}
 
     def connect(self) -> None:
         """Listen."""
@@ -76,7 +80,8 @@ class ConsoleNode(RunNode):
             self.watch(topic, message_type(kind), self._keeper(topic), raw=True)
         if LINK in topics:
             self.watch(LINK, LinkStatus, self._keeper(LINK), raw=True)
-        self.watch(display.measured, LinkFrame, self._on_telemetry)
+        if self._framed:
+            self.watch(display.measured, LinkFrame, self._on_telemetry)
         self.watch(display.commands.sent, message_type(topics[display.commands.sent]),
                    self._on_command)
         self.watch('/run/pause', Bool, lambda m: self._hub.post('paused', m.data))
@@ -134,16 +139,16 @@ class ConsoleNode(RunNode):
 
     def joy(self, stick: Stick) -> list[float]:
         """Publish a stick sample as Joy; return the command that it means."""
-        made = self.provider.joy(stick.deflection, stick.held) if self._joy else None
-        if made is None:
-            return [0.0] * len(self.provider.display.commands.axes)
-        axes, buttons = made
+        made = self.provider.joys(stick) if self._joys else {}
+        value = [0.0] * len(self.provider.display.commands.axes)
         with self._gate:
-            if not self._left and (self._stamp_ns >= 0 or not stick.held):
-                self._joy.publish(Joy(header=header_at(self._next_stamp(),
-                                                       f'console {stick.sequence}'),
-                                      axes=axes, buttons=buttons))
-        return self.provider.pilot(axes, buttons)[0]
+            says = made and not self._left and (self._stamp_ns >= 0 or not stick.held)
+            header = header_at(self._next_stamp(), f'console {stick.sequence}') if says else None
+            for topic, (axes, buttons) in made.items():
+                if says:
+                    self._joys[topic].publish(Joy(header=header, axes=axes, buttons=buttons))
+                value = self.provider.heard_joy(topic, axes, buttons)[0]
+        return value
 
     def _next_stamp(self) -> int:
         """

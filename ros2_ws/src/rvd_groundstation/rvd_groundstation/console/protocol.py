@@ -1,8 +1,8 @@
 """
 What a page may say: a binary stick frame at 50 Hz, and a few requests as JSON text.
 
-Stick frame, 36 bytes little-endian: kind u8 = 1, held u8 (dead-man), sequence u16, deflection of
-six axes as f32 in [-1, 1] (0 where a mission has fewer), instant of sampling f64 [ms since 1970,
+Stick frame, 36 bytes little-endian: kind u8 = 1, held u8 (bit 0 the dead-man, then the other
+buttons in the order of the mission's controller), sequence u16, deflection of six axes as f32 in [-1, 1] (0 where a mission has fewer), instant of sampling f64 [ms since 1970,
 for benchmarks only].
 Whatever else comes is refused by name and never guessed at.
 """
@@ -14,11 +14,12 @@ from struct import Struct
 from typing import Any
 
 from rvd_dynamics.bad_input import BadInput
-from rvd_dynamics.diagram.display import MODES, MOST_AXES
+from rvd_dynamics.diagram.display import MODES, MOST_AXES, MOST_BUTTONS
 
 STICK = Struct(f'<BBH{MOST_AXES}fd')
 STICK_KIND = 1
 MAX_FRAME = 64 * 1024           # [bytes]
+MOST_SETTINGS, LONGEST_SETTING = 100, 200       # of a wish, characters
 PAGE_RATE = 60.0                # [1/s] frames a page may send
 PAGE_BURST = 300.0              # at once: what a page says while this process is held up for 5 s
 
@@ -38,6 +39,7 @@ class Stick:
     held: bool
     sequence: int
     deflection: tuple[float, ...]
+    buttons: tuple[bool, ...] = (False,) * MOST_BUTTONS     # beside the dead-man
 
 
 RELEASED = Stick(False, 0, (0.0,) * MOST_AXES)
@@ -64,11 +66,12 @@ def stick_of(data: bytes) -> Stick:
     if len(data) != STICK.size:
         raise Refused('LENGTH')
     kind, held, sequence, *deflection, _ = STICK.unpack(data)
-    if kind != STICK_KIND or held > 1:
+    if kind != STICK_KIND:
         raise Refused('KIND')
     if not all(math.isfinite(a) and -1.0 <= a <= 1.0 for a in deflection):
         raise Refused('RANGE')
-    return Stick(held == 1, sequence, tuple(deflection))
+    return Stick(held & 1 == 1, sequence, tuple(deflection),
+                 tuple(held >> bit & 1 == 1 for bit in range(1, 1 + MOST_BUTTONS)))
 
 
 def request_of(text: str) -> Request:
@@ -98,7 +101,9 @@ def request_of(text: str) -> Request:
 
 def flight_wish(content: dict[str, Any]) -> dict[str, Any]:
     """
-    Return the checked wish for a new run: `mode` and `seed`, each left out when not given.
+    Return the checked wish for a new run: `mode`, `seed` and `settings`, each if given.
+
+    `settings` are texts by 'section key'; whether they make sense is found out by who starts it.
 
     Raises
     ------
@@ -115,6 +120,13 @@ def flight_wish(content: dict[str, Any]) -> dict[str, Any]:
         if isinstance(seed, bool) or not isinstance(seed, int) or not 0 <= seed < 1 << 32:
             raise Refused('SEED')
         wish['seed'] = seed
+    changed = content.get('settings')
+    if changed is not None:
+        if not isinstance(changed, dict) or len(changed) > MOST_SETTINGS or not all(
+                isinstance(text, str) and len(text) <= LONGEST_SETTING
+                for text in (*changed, *changed.values())):
+            raise Refused('SETTINGS')
+        wish['settings'] = changed
     return wish
 
 

@@ -10,15 +10,16 @@ from dataclasses import dataclass
 from typing import Any
 
 from rvd_dynamics.bad_input import BadInput
-from rvd_dynamics.diagram.block import GROUND
+from rvd_dynamics.diagram.block import GROUND, ONBOARD
 from rvd_dynamics.diagram.build import made
 from rvd_dynamics.diagram.diagram import Diagram
 from rvd_dynamics.diagram.display import DERIVED, Display, TRUTH
 from rvd_dynamics.diagram.scenario import Scenario
-from rvd_dynamics.diagram.signal import Signal
+from rvd_dynamics.diagram.signal import Signal, VALUES
 from rvd_dynamics.link.signals import FRAME
 from rvd_groundstation.console.decode import COMMANDS, Sample
 from rvd_groundstation.console.plain import plain_display
+from rvd_groundstation.console.protocol import Stick
 
 PILOT = '/joy'                  # signal of the command that the stick means
 
@@ -69,6 +70,7 @@ class MissionDisplay:
 
     def __init__(self, facts: RunFacts, display: Display) -> None:
         self.facts, self.display = facts, display
+        self._joys: dict[str, tuple[Sequence[float], Sequence[int]]] = {}
 
     def derive(self, newest: Mapping[str, Sample]) -> dict[str, Any]:
         """
@@ -83,6 +85,18 @@ class MissionDisplay:
         """Return the state that came down the link as the parts that are displayed."""
         return {'state': state}
 
+    def sent(self, sample: Sample) -> None:
+        """Take in a command: called for each that is sent, where `derive` sees the newest alone."""
+
+    def beside(self, shown: Mapping[str, Mapping[str, Any]], truth: Mapping[str, Any]
+               ) -> dict[str, Any]:
+        """
+        Return more parts of the truth, for a frame of a review.
+
+        `shown` holds the parts of each signal in that frame, `truth` those of the truth.
+        """
+        return {}
+
     def joy(self, deflection: Sequence[float], held: bool
             ) -> tuple[list[float], list[int]] | None:
         """Return axes and buttons of the Joy for a stick; None: nothing is to be said."""
@@ -90,6 +104,40 @@ class MissionDisplay:
         if controller is None:
             return None
         return [float(a) for a in deflection[:len(controller.axes)]], [int(held)]
+
+    @property
+    def sticks(self) -> tuple[str, ...]:
+        """Topics of the Joy that the hand controller publishes."""
+        controller = self.display.controller
+        return tuple(hand.topic for hand in controller.hands) if (
+            controller is not None and controller.hands) else (PILOT,)
+
+    def joys(self, stick: Stick) -> dict[str, tuple[list[float], list[int]]]:
+        """Return axes and buttons of each Joy by its topic; what is not there says nothing."""
+        controller = self.display.controller
+        if controller is None or not controller.hands:
+            made = self.joy(stick.deflection, stick.held)
+            return {} if made is None else {PILOT: made}
+        at = dict(zip((axis.name for axis in controller.axes), stick.deflection))
+        down = dict(zip((button.name for button in controller.buttons), stick.buttons))
+        return {hand.topic: ([float(at[name]) for name in hand.axes],
+                             [int(stick.held), *(int(stick.held and down.get(name, False))
+                                                 for name in hand.buttons)])
+                for hand in controller.hands}
+
+    def heard_joy(self, topic: str, axes: Sequence[float], buttons: Sequence[int]
+                  ) -> tuple[list[float], bool]:
+        """Return the command that the newest Joy of each topic mean together, as `pilot`."""
+        controller = self.display.controller
+        if controller is None or not controller.hands:
+            return self.pilot(axes, buttons)
+        self._joys[topic] = axes, buttons
+        at, held = {}, False
+        for hand in controller.hands:
+            given, pressed = self._joys.get(hand.topic, ((), ()))
+            at.update(zip(hand.axes, given))
+            held = held or (len(pressed) > 0 and pressed[0] == 1)
+        return self.pilot([at.get(axis.name, 0.0) for axis in controller.axes], [int(held)])
 
     def pilot(self, axes: Sequence[float], buttons: Sequence[int]) -> tuple[list[float], bool]:
         """Return the command that a Joy means, and whether it is valid."""
@@ -150,28 +198,40 @@ def display_of(scenario: Scenario) -> MissionDisplay:
                     f'mission {mission.name}: display')
     if isinstance(provider, Display):           # nothing is derived
         provider = MissionDisplay(facts, provider)
-    _check(mission.name, provider, on_ground(scenario.diagram))
+    _check(mission.name, provider, scenario.diagram)
     return provider
 
 
 def on_ground(diagram: Diagram) -> dict[str, Signal]:
-    """Return the signals that the ground has, by topic: what its blocks read and write."""
+    """
+    Return the signals that the ground has, by topic: what its blocks read and write.
+
+    A mission without a ground segment is watched as over a link without delay: there it is what
+    the blocks on board read and write.
+    """
+    segment = GROUND if has_ground(diagram) else ONBOARD
     found = {}
     for block in diagram.blocks:
-        if block.segment == GROUND:
+        if block.segment == segment:
             found |= {read.signal.name: read.signal for read in block.reads.values()}
             found |= {signal.name: signal for signal in block.writes.values()}
     return found
 
 
-def _check(mission: str, provider: MissionDisplay, known: Mapping[str, Signal]) -> None:
+def has_ground(diagram: Diagram) -> bool:
+    """Say whether a diagram has a ground segment, and with it a link."""
+    return any(block.segment == GROUND for block in diagram.blocks)
+
+
+def _check(mission: str, provider: MissionDisplay, diagram: Diagram) -> None:
     """Refuse a display of what the ground does not have."""
+    known, ground = on_ground(diagram), has_ground(diagram)
     display = provider.display
-    wanted = {*display.parts(), *provider.derives_from} - {DERIVED, TRUTH, PILOT}
+    wanted = {*display.parts(), *provider.derives_from} - {DERIVED, TRUTH, PILOT, *provider.sticks}
     for topic in sorted(wanted - set(known)):
         raise BadInput(f'mission {mission}: its display shows {topic}, which is not on the '
                        f'ground; there are: {", ".join(sorted(known))}')
-    for field, topic, kinds in (('measured', display.measured, (FRAME,)),
+    for field, topic, kinds in (('measured', display.measured, (FRAME,) if ground else (VALUES,)),
                                 ('commands.sent', display.commands.sent, tuple(COMMANDS))):
         if known[topic].message not in kinds:
             raise BadInput(f'mission {mission}: its display has {topic} as {field}, which must '

@@ -44,9 +44,10 @@ class Vision:
 
     def step(self, k: int, features: Any) -> dict[str, Any]:
         """Return the pose of the features of step k."""
+        counted = self._poses.mode.copy()           # those that this view is solved with
         pose = self._poses.poses(features.pixels)
         return {'pose': POSE(place=pose.place, turn=pose.turn, covariance=pose.covariance,
-                             usable=pose.usable, exposed=features.exposed)}
+                             usable=pose.usable, exposed=features.exposed, markers=counted)}
 
 
 class Navigation:
@@ -69,7 +70,8 @@ class Navigation:
         now = self._filters.step(self._rows(inertial.rate, 3), self._rows(inertial.force, 3), seen)
         return {'estimate': ESTIMATE(
             position=self._out(now.position), velocity=self._out(now.velocity),
-            attitude=self._out(now.attitude), rate=self._out(now.rate), nis=self._out(now.nis))}
+            attitude=self._out(now.attitude), rate=self._out(now.rate), nis=self._out(now.nis),
+            sigma=self._out(self._filters.sigma()))}
 
     def _rows(self, value: NDArray, *shape: int) -> NDArray:
         return np.reshape(np.broadcast_to(value, (*self._batch, *shape)), (-1, *shape))

@@ -13,14 +13,15 @@ from rvd_dynamics.geometry.pinhole import CameraParams, require_in_view
 from rvd_dynamics.motion import attitude
 from rvd_dynamics.world.sensors.camera import features, ImageParams
 from rvd_dynamics.world.sensors.inertial import InertialParams, InertialUnit
-from rvd_dynamics.world.spacecraft.effectors import cantilever, Tank
+from rvd_dynamics.world.spacecraft.effectors import beam_shapes, cantilever, Tank
 from rvd_dynamics.world.spacecraft.reaction_control import (
     Failure, KINDS, ReactionControl, ThrusterParams)
 from rvd_dynamics.world.spacecraft.spacecraft import Spacecraft
 from rvd_missions.docking import markers
 from rvd_missions.docking.commands import ValveForm
 from rvd_missions.docking.settings import Chaser, ended, faces, OrbitParams, Panels, Start, Tanks
-from rvd_missions.docking.signals import FEATURES, INERTIAL, MARKERS, POSE, TRUTH
+from rvd_missions.docking.signals import (
+    FEATURES, INERTIAL, MARKERS, POSE, STATIONS, TRUTH)
 
 VIEW_DRAWS = 2*MARKERS + 1              # normals of a view: markers, and whether it is lost
 
@@ -78,7 +79,7 @@ class Dynamics:
 
     def __init__(self, settings: DynamicsParams, run: Run, craft: Spacecraft, chaser: Chaser,
                  start: Start, form: ValveForm, thruster: ThrusterParams, camera: CameraParams,
-                 scatter: NDArray, pulses: NDArray, batch: tuple) -> None:
+                 panels: Panels, scatter: NDArray, pulses: NDArray, batch: tuple) -> None:
         self._run, self._craft, self._batch = run, craft, batch
         self._centre = np.array(chaser.centre_m)
         rows = int(np.prod(batch, dtype=int))
@@ -101,6 +102,7 @@ class Dynamics:
             form.thrusters, thruster, run.step_s, settings.sub_steps,
             np.reshape(pulses, (rows, -1)), self._centre, chaser.thrust_scale, (failed,))
         self._at = {name: where for name, (where, _) in craft.states.items()}
+        self._shapes = beam_shapes(panels.modes, STATIONS)/np.sqrt(panels.mass_kg)
         self._spent = np.zeros(rows)
         self._moved = (np.zeros((rows, 3)),)*3
         self._mean = np.zeros((rows, len(form.thrusters)))
@@ -123,7 +125,26 @@ class Dynamics:
             turned=self._out(turned), gained=self._out(gained), felt=self._out(felt),
             thrust=self._out(self._mean), pulses=self._out(pulses),
             propellant=self._out(self._spent),
-            final=self._out(ended(k, port, self._run.last_step)))}
+            final=self._out(ended(k, port, self._run.last_step)),
+            bending=self._out(self._bending()), sloshing=self._out(self._sloshing()))}
+
+    def _bending(self) -> NDArray:
+        """Return the deflection of each panel (N, 2, S) [m]; stiff ones have none."""
+        made = np.zeros((len(self._state), 2, len(STATIONS)))
+        for i in range(len(self._craft.panels)):
+            modes = self._of_state(f'panel_{i}')
+            for j in range(modes.shape[1]):             # a sum in a fixed order
+                made[:, i] += modes[:, j:j + 1]*self._shapes[:, j]
+        return made
+
+    def _sloshing(self) -> NDArray:
+        """Return where the liquid of each tank is from its place at rest (N, 2, 3) [m]."""
+        made = np.zeros((len(self._state), 2, 3))
+        for i, tank in enumerate(self._craft.tanks):
+            swing = self._of_state(f'tank_{i}')/np.sqrt(tank.mass)
+            for j, axis in enumerate(np.atleast_2d(tank.axes)):
+                made[:, i] += swing[:, j:j + 1]*axis
+        return made
 
     def _of_state(self, name: str) -> NDArray:
         return self._state[:, self._at[name]]

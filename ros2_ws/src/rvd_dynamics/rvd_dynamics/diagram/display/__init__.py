@@ -2,8 +2,9 @@
 What a mission shows on the console, as data; the page draws it and knows no mission.
 
 A display says where numbers come from (`Ref`, `Number`: a part of a signal) and how they look:
-bodies made of simple solids, surfaces, lines, views, a camera, instruments, a cross-section,
-commands, the axes of the hand controller, charts. Whatever has to be computed from signals (a
+bodies made of simple solids, surfaces, lines, views, a camera, instruments, a cross-section, an
+attitude indicator, lamps, commands, the axes of the hand controller, charts, and the settings that
+may be changed before a run. Whatever has to be computed from signals (a
 distance to a wall, a path of free drift, words) is computed by the mission in Python and reaches
 the page as a part of the signal `DERIVED`. `as_data` turns a display into plain JSON values.
 All of the vocabulary is imported from here.
@@ -18,11 +19,14 @@ from math import isfinite
 from typing import Any
 
 from rvd_dynamics.bad_input import BadInput
+from rvd_dynamics.diagram.display.cockpit import (  # noqa: F401 - the vocabulary
+    Attitude, Form, LampGroup, Lamps, Needles, Pixels, Setting)
 from rvd_dynamics.diagram.display.panels import (  # noqa: F401 - the vocabulary
-    Axis, Camera, CameraMark, Chart, Charts, CommandAxis, CommandRow, Commands, Controller,
-    Gauge, Instrument, Instruments, Reading, Readout, Ring, Section, Spot)
+    Axis, Button, Camera, CameraMark, Chart, Charts, CommandAxis, CommandRow, Commands, Controller,
+    Gauge, Hand, Instrument, Instruments, Reading, Readout, Ring, Section, Spot)
 from rvd_dynamics.diagram.display.parts import (  # noqa: F401 - the vocabulary
-    DERIVED, is_real, MODES, MOST_AXES, Number, Ref, require_known, SENT_PARTS, TRUTH)
+    DERIVED, is_real, MODES, MOST_AXES, MOST_BUTTONS, Number, Ref, require_known, SENT_PARTS,
+    TRUTH)
 from rvd_dynamics.diagram.display.scene import (  # noqa: F401 - the vocabulary
     Ball, Body, Box, cone, Cylinder, Field, Flat, Label, Legend, Line, Perspective, Revolved, Solid,
     Sphere, Spheres, Surface, Torus, Trail, View)
@@ -51,9 +55,13 @@ class Display:
     camera: Camera | None = None
     instruments: Instruments | None = None
     section: Section | None = None
+    attitude: Attitude | None = None
+    lamps: Lamps | None = None
     controller: Controller | None = None
     charts: Charts | None = None
     legend: tuple[Legend, ...] = ()
+    link: bool = True           # commands go over a link: with their ladder and the round trip
+    forms: tuple[Form, ...] = ()            # what may be changed before a run
     modes: tuple[str, ...] = MODES          # those that a pilot may choose
     abort: str = ''             # what the craft does under ABORT: "braking and backing away"
     goal: str = 'success'       # what a good flight is: "docking within the limits"
@@ -78,8 +86,9 @@ class Display:
         require(len(set(labels)) == len(labels), 'display.views', 'have labels of their own',
                 labels)
         for part in walk(self):
-            source = getattr(part, 'value', None) or getattr(part, 'place', None)
-            if isinstance(source, Ref | Number) and source.signal == TRUTH:
+            shown = [getattr(part, name, None) for name in ('value', 'place', 'points')]
+            shown += list(getattr(part, 'angles', ())) + list(getattr(part, 'rates', None) or ())
+            if any(isinstance(one, Ref | Number) and one.signal == TRUTH for one in shown):
                 require(part.role == 'truth', f'{type(part).__name__.lower()}: role',
                         'be truth where the truth is shown', repr(part.role))
 

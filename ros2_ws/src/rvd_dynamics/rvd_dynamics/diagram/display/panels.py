@@ -3,9 +3,11 @@
 from dataclasses import dataclass
 from math import tan
 
+from rvd_dynamics.diagram.display.cockpit import Pixels
 from rvd_dynamics.diagram.display.parts import (
-    COLUMNS, is_real, MARKS, MOST_AXES, Number, PAGE_KEYS, Point, Ref, require_digits,
-    require_finite, require_place, require_plane, require_point, require_positive, require_role)
+    COLUMNS, is_real, MARKS, MOST_AXES, MOST_BUTTONS, Number, PAGE_KEYS, Point, Ref, require_digits,
+    require_finite, require_place, require_plane, require_point, require_positive, require_role,
+    TRUTH)
 from rvd_dynamics.diagram.params import require
 
 
@@ -105,6 +107,7 @@ class Section:
     extent_m: float | Number    # what must fit between its middle and its edge
     right: str = '+z'
     up: str = '+y'
+    names: tuple[str, str] | None = None    # what the two are called, if not by the scene's axes
     note: Ref | None = None     # words beside the title
     rings: tuple[Ring, ...] = ()
     spots: tuple[Spot, ...] = ()
@@ -179,12 +182,15 @@ class Camera:
     review_title: str           # of a review, where the truth may carry it
     carried_by: tuple[str, ...]
     start_m: Point
+    at_m: Point = (0.0, 0.0, 0.0)           # where it is on that body, in its axes
+    turns: bool = False         # with the body's attitude; else `look` and `up` stand
     aim_m: Point = (0.0, 0.0, 0.0)
     look: str = '+x'
     up: str = '+y'
     half_height_m: float = 1.35
     half_field: tuple[float, float] = (0.085, 0.9)
     marks: tuple[CameraMark, ...] = ()
+    pixels: Pixels | None = None            # what its image was found to hold
     gauge: Gauge | None = None
     distance: tuple[Reading, ...] = ()    # written in a corner: the first that is known
     unit: str = 'm'
@@ -192,7 +198,7 @@ class Camera:
 
     def __post_init__(self) -> None:
         require(len(self.carried_by) > 0, 'camera.carried_by', 'name a body', self.carried_by)
-        for name in ('start_m', 'aim_m'):
+        for name in ('start_m', 'at_m', 'aim_m'):
             require_point(f'camera.{name}', getattr(self, name))
         require_plane('camera', self.look, self.up)
         require_positive('camera.half_height_m', self.half_height_m)
@@ -256,7 +262,8 @@ class Axis:
     One axis of the hand controller, as the person at it sees it.
 
     `keys` are pairs of KeyboardEvent codes: the one that deflects it towards + and the one
-    towards -. `pad_axis` is the axis of a gamepad that it hangs on until somebody chooses.
+    towards -. `pad_axis` is the axis of a gamepad that it hangs on until somebody chooses; in its
+    place a standard gamepad may have two buttons, `pad_pair`, of which triggers count by degrees.
     """
 
     name: str
@@ -265,6 +272,7 @@ class Axis:
     keys: tuple[tuple[str, str], ...]
     pad_axis: int = 0
     pad_inverted: bool = False
+    pad_pair: tuple[int, int] | None = None     # buttons towards + and -
 
     def __post_init__(self) -> None:
         require(self.name.isidentifier(), 'axis.name', 'be a plain word', repr(self.name))
@@ -276,16 +284,56 @@ class Axis:
                         f'axis {self.name}: keys', 'leave the page its own keys', code)
         require(0 <= self.pad_axis < 16, f'axis {self.name}: pad_axis', 'be 0 to 15',
                 self.pad_axis)
+        require(self.pad_pair is None or (len(self.pad_pair) == 2 and all(
+            isinstance(b, int) and 0 <= b < 32 for b in self.pad_pair)),
+            f'axis {self.name}: pad_pair', 'be two buttons, 0 to 31', self.pad_pair)
+
+
+@dataclass(frozen=True)
+class Button:
+    """A button of the hand controller beside the dead-man: its key, its place on a standard pad."""
+
+    name: str
+    words: str                  # what it does while it is held
+    key: str
+    pad_button: int
+
+    def __post_init__(self) -> None:
+        require(self.name.isidentifier(), 'button.name', 'be a plain word', repr(self.name))
+        require(bool(self.key) and self.key not in PAGE_KEYS and not self.key.startswith('Digit'),
+                f'button {self.name}: key', 'be a key code that the page leaves free',
+                repr(self.key))
+        require(0 <= self.pad_button < 32, f'button {self.name}: pad_button', 'be 0 to 31',
+                self.pad_button)
+
+
+@dataclass(frozen=True)
+class Hand:
+    """One of several hand controllers: its Joy has these axes, the dead-man, these buttons."""
+
+    topic: str
+    axes: tuple[str, ...]       # by name, in the order of the Joy
+    buttons: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        require(self.topic.startswith('/'), 'hand.topic', 'begin with a slash', repr(self.topic))
+        require(len(self.axes) > 0, f'hand {self.topic}: axes', 'be one or more', self.axes)
 
 
 @dataclass(frozen=True)
 class Controller:
-    """The hand controller; `key_deflections` are chosen by the keys 1, 2, ... in turn."""
+    """
+    The hand controller; `key_deflections` are chosen by the keys 1, 2, ... in turn.
+
+    With `hands` it stands for several, each with a Joy of its own; without, all is one Joy.
+    """
 
     axes: tuple[Axis, ...]
     key_deflections: tuple[float, ...] = (1.0,)
     step_name: str = 'level'    # what the keys 1, 2, ... choose
     verb: str = 'push'          # what an axis does: "push forward"
+    buttons: tuple[Button, ...] = ()
+    hands: tuple[Hand, ...] = ()
 
     def __post_init__(self) -> None:
         require(0 < len(self.axes) <= MOST_AXES, 'controller.axes', f'be 1 to {MOST_AXES}',
@@ -293,6 +341,14 @@ class Controller:
         names = [axis.name for axis in self.axes]
         require(len(set(names)) == len(names), 'controller.axes', 'have names of their own', names)
         codes = [code for axis in self.axes for pair in axis.keys for code in pair]
+        codes += [button.key for button in self.buttons]
+        require(len(self.buttons) <= MOST_BUTTONS, 'controller.buttons',
+                f'be {MOST_BUTTONS} at most', len(self.buttons))
+        for hand in self.hands:
+            for kind, known in (('axes', names), ('buttons', [b.name for b in self.buttons])):
+                strange = set(getattr(hand, kind)) - set(known)
+                require(not strange, f'hand {hand.topic}: {kind}', 'be those of the controller',
+                        ', '.join(sorted(strange)))
         twice = sorted({code for code in codes if codes.count(code) > 1})
         require(not twice, 'controller.axes', 'share no key', ', '.join(twice))
         require(0 < len(self.key_deflections) <= 9 and all(
@@ -306,9 +362,10 @@ class Controller:
 @dataclass(frozen=True)
 class Chart:
     """
-    A strip of curves against the stamp of their signal, about zero.
+    A strip of curves against the stamp of their signal, about zero if it is `centred`.
 
-    `spread`, times `spread_factor`, is drawn dashed on both sides of zero.
+    `spread`, times `spread_factor`, is drawn dashed on both sides of zero; `levels` are dashed
+    lines that stand. Curves of the truth may be among others, and are empty but in a review.
     """
 
     title: str                  # with its unit
@@ -316,20 +373,26 @@ class Chart:
     spread: Number | None = None
     spread_factor: float = 2.0
     least: float = 1.0          # the scale reaches at least as far as this
+    names: tuple[str, ...] = ()             # of the curves, written in their colours
+    centred: bool = True        # else the scale holds what there is, and the levels
+    levels: tuple[float, ...] = ()
 
     def __post_init__(self) -> None:
         require(0 < len(self.curves) <= 6, f'chart {self.title}: curves', 'be 1 to 6',
                 len(self.curves))
         signals = {number.signal for number in (*self.curves, *filter(None, (self.spread,)))}
-        require(len(signals) == 1, f'chart {self.title}: curves', 'be of one signal',
-                ', '.join(sorted(signals)))
+        require(len(signals - {TRUTH}) <= 1, f'chart {self.title}: curves',
+                'be of one signal, and the truth', ', '.join(sorted(signals)))
+        require(len(self.names) in (0, len(self.curves)), f'chart {self.title}: names',
+                'be as many as the curves, or none', self.names)
         require_finite(f'chart {self.title}: spread_factor', self.spread_factor)
         require_positive(f'chart {self.title}: least', self.least)
 
     @property
     def signal(self) -> str:
-        """The signal whose stamps are the abscissa."""
-        return self.curves[0].signal
+        """The signal whose stamps are the abscissa: not the truth where there is another."""
+        signals = [number.signal for number in (*self.curves, *filter(None, (self.spread,)))]
+        return next((signal for signal in signals if signal != TRUTH), TRUTH)
 
 
 @dataclass(frozen=True)

@@ -29,6 +29,7 @@ DIRECTIONS = ('+x', '-x', '+y', '-y', '+z', '-z')
 MODES = ('manual', 'shared', 'auto')
 MARKS = ('dot', 'ring', 'cross', 'square')
 SENT_PARTS = ('value', 'kind', 'by', 'weight', 'reason')    # of the command that is sent
+MOST_BUTTONS = 7                # beside the dead-man
 MOST_AXES = 6                   # of a hand controller: three to push, three to turn
 
 # Keys that the page itself listens to, as KeyboardEvent.code says them.

@@ -138,6 +138,16 @@ class Navigation:
         return Estimate(out[:, 0:4].copy(), out[:, 4:7].copy(), out[:, 7:10].copy(),
                         out[:, 10:13].copy(), nis)
 
+    def sigma(self) -> Array:
+        """
+        Return standard deviations (N, 9): position [m], velocity [m/s], turn of the craft [rad].
+
+        They are those at the instant of the newest view, `latency` steps ago; NaN before the first.
+        """
+        turn = 2.0*np.sqrt(np.diagonal(self.attitude_covariance, 0, 1, 2)[:, :3])   # dq is half of it
+        moved = np.sqrt(np.diagonal(self.covariance, 0, 1, 2)[:, :6])
+        return np.where(self.known[:, None], np.concatenate([moved, turn], axis=-1), np.nan)
+
 
 def projected(x: ArrayLike, weight: ArrayLike) -> Array:
     """

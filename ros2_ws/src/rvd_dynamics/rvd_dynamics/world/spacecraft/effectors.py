@@ -40,6 +40,18 @@ def beam_sums(count: int) -> tuple[Array, Array]:
     return 2.0*sigma/roots, 2.0/roots**2
 
 
+def beam_shapes(count: int, stations: ArrayLike) -> Array:
+    """
+    Return phi_i sqrt(m) of a uniform cantilever at stations (S,) in parts of its length, (S, count).
+
+    At the tip it is 2, -2, 2, ...; the deflection there is the sum of phi_i eta_i.
+    """
+    roots = beam_roots(count)
+    sigma = np.array([(cosh(x) + cos(x)) / (sinh(x) + sin(x)) for x in roots])
+    x = np.asarray(stations, dtype=float)[:, np.newaxis]*roots
+    return np.cosh(x) - np.cos(x) - sigma*(np.sinh(x) - np.sin(x))
+
+
 @dataclass(frozen=True)
 class Panel:
     """

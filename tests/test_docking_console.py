@@ -1,0 +1,163 @@
+"""The mission docking in a browser: its panels in a flight, its forms, its two hand controllers."""
+
+import asyncio
+from dataclasses import replace
+import re
+
+import pytest
+from console_page import chromium, Console, FLAGS, open_page, playwright, serious, until
+from toy_console import ToyConsole
+
+from rvd_dynamics.diagram.scenario import parse
+from rvd_groundstation.console.provider import facts_of
+from rvd_missions.docking.display import DockingDisplay
+
+pytestmark = pytest.mark.slow
+SCENARIO = '''
+/**: {ros__parameters: {mission: docking, timeout_s: 60.0, limits: {from_s: 0.5},
+                        pace: lockstep, processes: one}}
+onboard_guard: {ros__parameters: {abort_burn_s: 2.0}}
+'''
+PAD = '''
+(() => {
+  window.pad = { id: 'stub', index: 0, mapping: 'standard', connected: true, axes: [0, 0, 0, 0],
+    buttons: Array.from({ length: 17 }, () => ({ pressed: false, value: 0 })) };
+  navigator.getGamepads = () => [window.pad];
+})();
+'''
+
+
+@pytest.fixture(scope='module')
+def browser():
+    with playwright()() as play:
+        made = play.chromium.launch(executable_path=chromium(), args=FLAGS)
+        yield made
+        made.close()
+
+
+def field(page, key: str) -> str:
+    return f'[data-setting="{key}"]'
+
+
+def ink(page, canvas: str) -> int:
+    """Return how many pixels of a canvas are drawn."""
+    return page.evaluate(f"""(() => {{
+      const c = document.getElementById('{canvas}');
+      const d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;
+      let n = 0;
+      for (let i = 3; i < d.length; i += 4) n += d[i] > 0;
+      return n;
+    }})()""")
+
+
+def test_a_flight_with_settings_from_the_page_and_its_review(browser, tmp_path, console_web):
+    (tmp_path / 'short.yaml').write_text(SCENARIO)
+    console = Console(tmp_path, 'short.yaml', '--seed', '1')
+    try:
+        page = open_page(browser, console, bypass_csp=True)         # for axe
+        page.set_viewport_size({'width': 1280, 'height': 800})
+        page.keyboard.press('t')
+        until(page, "rvd.store.status.lease === 'you'")
+        page.keyboard.press('n')
+        page.fill(field(page, '/** start.position_m'), '6, 0, 0')
+        page.click('#new-start')
+        until(page, "document.querySelector('#new-error')?.textContent.length > 0")
+        error = page.inner_text('#new-error')
+        assert 'start.position_m' in error and 'x < 0' in error and '\n' not in error
+        assert page.input_value(field(page, '/** start.position_m')) == '6, 0, 0'
+
+        page.fill(field(page, '/** start.position_m'), '-5.5, 0.1, 0')
+        page.fill(field(page, '/** timeout_s'), '5')
+        page.fill(field(page, 'docking_controller profile.fast_m_s'), '0.045')
+        page.click('#new-start')
+        until(page, "rvd.store.frame?.t > 1.5 && Boolean(rvd.store.measured)")
+        assert serious(page, console_web) == []
+        derived = page.evaluate('rvd.store.frame.signals.derived.parts')
+        assert 2.3 < derived['distance'] < 2.51                     # as was written: 2.5 m
+        assert 'truth' not in page.evaluate('Object.keys(rvd.store.frame.signals)')
+        for panel in ('attitude', 'lamps', 'cut', 'camera', 'strips', 'commands'):
+            assert page.is_visible(f'#{panel}'), panel
+        for panel in ('ladder-panel', 'trip', 'modes', 'clock-rx'):
+            assert not page.is_visible(f'#{panel}'), panel
+        assert page.inner_text('#foot-words') == 'NOMINAL'
+        assert page.evaluate("rvd.scene.covers('chaser')") > 200
+        assert ink(page, 'ball') > 500 and ink(page, 'lights') > 500
+        assert page.evaluate("rvd.store.frame.signals.derived.parts.used.join('')") == '1'*6 + '0'*6
+
+        until(page, 'Boolean(rvd.store.verdict)', 60.0)
+        until(page, "rvd.store.status.phase === 'ended'", 60.0)
+        page.keyboard.press('Escape')
+        page.keyboard.press('l')
+        page.click('[data-run]')
+        until(page, 'rvd.review.on')
+        truth = page.evaluate('rvd.review.frame().signals.truth.parts')
+        assert all(abs(v) < 5.0 for v in truth['error_mm'])
+        assert len(truth['panel_0']) == 11
+        assert page.evaluate("rvd.scene.covers('panel_0')") > 20
+        row = page.query_selector('#instruments .row').inner_text()
+        measured, true = re.findall(r'\d+', row)[:2]
+        assert abs(int(measured) - int(true)) <= 5                  # [mm]
+        assert page.problems == []
+        page.close()
+    finally:
+        console.close()
+
+
+class HandsConsole(ToyConsole):
+    """The page of a craft that is steered by two hand controllers, without a graph."""
+
+    async def _fly(self) -> None:
+        scenario = parse(SCENARIO, 'test')
+        facts = replace(facts_of(scenario), operator='console', mode='manual')
+        self.provider = DockingDisplay(facts, scenario)
+        self.joys: list = []
+        self.hub.begin('hands', self.provider, self)
+        await asyncio.sleep(1e6)
+
+    def joy(self, stick) -> list[float]:
+        made = self.provider.joys(stick)
+        self.joys.append(made)
+        return [self.provider.heard_joy(topic, *joy)[0] for topic, joy in made.items()][-1]
+
+
+def test_keys_and_a_gamepad_move_two_hand_controllers(browser):
+    console = HandsConsole()
+    try:
+        page = open_page(browser, console, look='plain')
+        page.keyboard.press('?')
+        words = page.inner_text('#dialog')
+        for row in ('W / S', 'go forward / back (x)', 'E / Q', 'go right / left (roll)',
+                    'translation by pulses or by rates, while held'):
+            assert row in words, row
+        page.keyboard.press('Escape')
+        page.keyboard.press('t')
+        until(page, "rvd.store.status.lease === 'you'")
+
+        def said(after_ms: int = 150) -> dict:
+            page.wait_for_timeout(after_ms)
+            return console.joys[-1]
+        page.keyboard.press('3')
+        for key in ('w', 'ArrowUp', 'Shift'):
+            page.keyboard.down(key)
+        assert said() == {'/joy/translation': ([1.0, 0.0, 0.0], [1, 1, 0]),
+                          '/joy/rotation': ([0.0, 1.0, 0.0], [1, 0])}
+        for key in ('w', 'ArrowUp', 'Shift'):
+            page.keyboard.up(key)
+        assert said() == {'/joy/translation': ([0.0]*3, [1, 0, 0]),
+                          '/joy/rotation': ([0.0]*3, [1, 0])}
+
+        page.evaluate(PAD)
+        said()
+        page.evaluate('pad.buttons[4] = {pressed: true, value: 1}')             # the dead-man
+        said()
+        page.evaluate('''pad.buttons[7] = {pressed: true, value: 1}; pad.axes[2] = -1;
+                         pad.axes[3] = 1; pad.buttons[14] = {pressed: true, value: 1}''')
+        assert said() == {'/joy/translation': ([1.0, 0.0, 0.0], [1, 0, 0]),
+                          '/joy/rotation': ([-1.0, -1.0, -1.0], [1, 0])}
+        page.evaluate('pad.buttons[4] = {pressed: false, value: 0}')
+        assert said() == {'/joy/translation': ([0.0]*3, [0, 0, 0]),
+                          '/joy/rotation': ([0.0]*3, [0, 0])}
+        assert page.problems == []
+        page.close()
+    finally:
+        console.close()
