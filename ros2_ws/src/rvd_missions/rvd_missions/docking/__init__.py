@@ -42,6 +42,7 @@ MISSION = Mission(
         'hand_predictor': 'rvd_groundstation.prediction.six_dof:SixDofParams',
         'hand_pilot': 'rvd_groundstation.operators.hand_pilot:HandPilotParams',
         'joystick_replay': 'rvd_groundstation.settings:ReplayParams',
+        'standard_messages': f'{HERE}.standard:StandardParams',
     },
     parts={
         'craft': f'{HERE}.space:spacecraft',
@@ -53,6 +54,7 @@ MISSION = Mission(
         'hand_form': f'{HERE}.hand_settings:hand_form',
         'steered': f'{HERE}.hand_settings:steered',
         'tape': f'{HERE}.ground:tape',
+        'frames': f'{HERE}.standard:frames',
         'craft_model': f'{HERE}.hand_prediction:craft_model',
     },
     checked=('timed', 'period', 'late', 'legs', 'steered'),

@@ -11,7 +11,7 @@ from rvd_dynamics.diagram.block import Block, last, now, ONBOARD, Read, WATCH, W
 from rvd_dynamics.diagram.diagram import Diagram
 from rvd_dynamics.diagram.scenario import Scenario
 from rvd_dynamics.diagram.streams import Normals, StartNormals
-from rvd_missions.docking import hand_diagram, HERE
+from rvd_missions.docking import hand_diagram, HERE, standard
 from rvd_missions.docking.commands import COUNT
 from rvd_missions.docking.signals import (
     ESTIMATE, FEATURES, GUIDANCE, INERTIAL, MARKERS, POSE, THRUST, TRUTH, WANTED)
@@ -65,5 +65,6 @@ def diagram(scenario: Scenario) -> Diagram:
         Block('columns', f'{HERE}.columns:Columns', WATCH, reads={
             'truth': now(TRUTH), 'estimate': now(ESTIMATE), 'guidance': now(GUIDANCE)},
             executable=''),
+        *standard.blocks(scenario),
     ), plant='docking_dynamics', guard='onboard_guard', thrust=THRUST.name,
         externals=hand_diagram.externals(scenario))
