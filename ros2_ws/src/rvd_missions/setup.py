@@ -7,7 +7,9 @@ MISSIONS = ['lunar_approach', 'attitude_hold', 'obstacle_field', 'elliptic_rende
             'docking', 'tether']
 BLOCKS = ['attitude_dynamics', 'attitude_sensors', 'attitude_controller', 'docking_dynamics',
           'inertial_unit', 'camera', 'vision', 'docking_navigation', 'docking_controller',
-          'gripper_dynamics', 'gripper_sensors', 'gripper_tracker', 'mission_control']
+          'gripper_dynamics', 'gripper_sensors', 'gripper_tracker', 'mission_control',
+          'docking_telemetry', 'hand_predictor', 'hand_pilot', 'hand_uplink',
+          'standard_messages']
 
 setup(
     name=NAME,

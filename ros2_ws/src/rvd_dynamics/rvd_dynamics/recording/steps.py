@@ -15,7 +15,9 @@ HEADER_THEN_STEP = frozenset(f'rvd_interfaces/msg/{name}' for name in (
     'RelativeState', 'ThrustCommand', 'LinkStatus', 'PredictionScore', 'Verdict', 'RunEvent',
     'Values'))
 STEP_FIRST = frozenset(('rvd_interfaces/msg/LinkFrame',))
-STAMP_FIRST = frozenset(('sensor_msgs/msg/Joy', 'rosgraph_msgs/msg/Clock'))
+STAMP_FIRST = frozenset(('sensor_msgs/msg/Joy', 'rosgraph_msgs/msg/Clock', 'nav_msgs/msg/Odometry',
+                         'sensor_msgs/msg/Imu'))
+STAMP_IN_LIST = frozenset(('tf2_msgs/msg/TFMessage',))  # of its first element
 _STEP = struct.Struct('<Q')
 _STAMP = struct.Struct('<iI')
 _LENGTH = struct.Struct('<I')
@@ -34,16 +36,18 @@ def step_reader(kind: str, step_ns: int) -> Callable[[bytes], int] | None:
     """
     Return the function that reads the step of serialised messages of type `kind`.
 
-    Joy and Clock carry no step: theirs is the stamp in steps of `step_ns`. None if messages of
+    Joy, Clock and other standard messages carry no step: theirs is the stamp in steps of `step_ns`. None if messages of
     this type belong to no step. The function raises `struct.error` if there are too few bytes.
     """
     if kind in HEADER_THEN_STEP:
         return _after_header
     if kind in STEP_FIRST:
         return _first
-    if kind in STAMP_FIRST:
+    if kind in STAMP_FIRST or kind in STAMP_IN_LIST:
+        at = 8 if kind in STAMP_IN_LIST else 4
+
         def stamped(data: bytes) -> int:
-            seconds, nanoseconds = _STAMP.unpack_from(data, 4)
+            seconds, nanoseconds = _STAMP.unpack_from(data, at)
             return (seconds * NS_PER_S + nanoseconds) // step_ns
         return stamped
     return None

@@ -11,7 +11,7 @@ from rvd_dynamics.diagram.block import Block, last, now, ONBOARD, Read, WATCH, W
 from rvd_dynamics.diagram.diagram import Diagram
 from rvd_dynamics.diagram.scenario import Scenario
 from rvd_dynamics.diagram.streams import Normals, StartNormals
-from rvd_missions.docking import HERE
+from rvd_missions.docking import hand_diagram, HERE, standard
 from rvd_missions.docking.commands import COUNT
 from rvd_missions.docking.signals import (
     ESTIMATE, FEATURES, GUIDANCE, INERTIAL, MARKERS, POSE, THRUST, TRUTH, WANTED)
@@ -40,6 +40,11 @@ def diagram(scenario: Scenario) -> Diagram:
               writes={'pose': POSE}, period=period),
     ) if pinhole else (
         block('camera', 'space:SimpleCamera', WORLD, writes={'pose': POSE}, **seen),)
+    flown = (block('docking_controller', 'onboard:Controller', ONBOARD,
+                   reads={'estimate': now(ESTIMATE)},
+                   writes={'wanted': WANTED, 'guidance': GUIDANCE}, control=True),)
+    if scenario.part('operation').by_hand:
+        flown = (hand_diagram.controller(scenario), *hand_diagram.others(scenario))
     return Diagram((
         block('docking_dynamics', 'space:Dynamics', WORLD, reads={'thrust': last(THRUST)},
               writes={'truth': TRUTH}, draws={
@@ -53,13 +58,13 @@ def diagram(scenario: Scenario) -> Diagram:
         block('docking_navigation', 'onboard:Navigation', ONBOARD,
               reads={'inertial': now(INERTIAL), 'pose': last(POSE)},
               writes={'estimate': ESTIMATE}),
-        block('docking_controller', 'onboard:Controller', ONBOARD,
-              reads={'estimate': now(ESTIMATE)},
-              writes={'wanted': WANTED, 'guidance': GUIDANCE}, control=True),
+        *flown,
         Block('onboard_guard', 'rvd_dynamics.onboard.guard.block:Guard', ONBOARD,
               reads={'arrival': now(WANTED)}, writes={'thrust': THRUST},
               settings=settings['onboard_guard']),
         Block('columns', f'{HERE}.columns:Columns', WATCH, reads={
             'truth': now(TRUTH), 'estimate': now(ESTIMATE), 'guidance': now(GUIDANCE)},
             executable=''),
-    ), plant='docking_dynamics', guard='onboard_guard', thrust=THRUST.name)
+        *standard.blocks(scenario),
+    ), plant='docking_dynamics', guard='onboard_guard', thrust=THRUST.name,
+        externals=hand_diagram.externals(scenario))

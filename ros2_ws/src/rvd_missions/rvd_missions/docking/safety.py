@@ -1,7 +1,7 @@
 """
 When the craft stops, backs away, or flees: the safety strategy on board.
 
-States are ordered, NOMINAL < HOLD < RETREAT < ABORT, and only rise. Source: An, Qu, Wang 2015,
+States are ordered, NOMINAL < HOLD < RETREAT < ABORT, and only rise, unless an operator resumes. Source: An, Qu, Wang 2015,
 section 2.5, has the concept alone; rules and numbers are assumed.
 
     HOLD      out of the cone, attitude or rate too large, camera lost, innovations too large
@@ -54,6 +54,13 @@ class Safety:
         self._blind = np.zeros(rows)
         self._odd = np.zeros(rows, dtype=np.int64)
         self._slope = np.tan(np.radians(settings.cone_deg))
+
+    def resume(self, rows: NDArray[np.bool_]) -> None:
+        """Go back to NOMINAL in rows (N,) that hold or retreat; an ABORT stays one."""
+        back = rows & (self.state < ABORT)
+        self.state = np.where(back, NOMINAL, self.state).astype(np.uint8)
+        self._blind = np.where(back, 0.0, self._blind)
+        self._odd = np.where(back, 0, self._odd)
 
     def advance(self, t: float, port: NDArray, speed: NDArray, turn: NDArray, rate: NDArray,
                 nis: NDArray) -> NDArray[np.uint8]:

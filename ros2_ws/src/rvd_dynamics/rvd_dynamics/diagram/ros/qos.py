@@ -9,6 +9,7 @@ queue is short (measured: 7 of 91 runs with depth 10, 0 of 12 with 2,000).
 from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile, ReliabilityPolicy
 
 DEPTH = 2000                    # [messages] more than any reader falls behind
+STICKS = ('/joy', '/joy/translation', '/joy/rotation')
 
 
 def _profile(depth: int, durability: DurabilityPolicy) -> QoSProfile:
@@ -33,7 +34,7 @@ def of(topic: str, held: bool = False) -> QoSProfile:
         return CLOCK
     if topic == '/diagnostics':
         return DIAGNOSTICS
-    if topic == '/joy' and held:
+    if topic in STICKS and held:
         return HELD_STICK
     if topic in ('/run/events', '/run/ready'):      # many writers, one queue at the reader
         return EVENTS
@@ -46,4 +47,4 @@ def of(topic: str, held: bool = False) -> QoSProfile:
 
 def taken(topic: str, held: bool = False) -> QoSProfile:
     """Return the profile that readers of `topic` use; a held stick's writer may be anybody's."""
-    return TAKEN_STICK if topic == '/joy' and held else of(topic, held)
+    return TAKEN_STICK if topic in STICKS and held else of(topic, held)

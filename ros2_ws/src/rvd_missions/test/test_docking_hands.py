@@ -1,0 +1,350 @@
+"""
+Flying by hand: controllers, clicks and rates, the predictor, retreat and abort, whole flights.
+"""
+
+from hypothesis import given, settings, strategies as st
+import numpy as np
+from numpy.testing import assert_allclose
+import pytest
+from scipy.integrate import solve_ivp
+from scipy.spatial.transform import Rotation
+
+from rvd_dynamics.bad_input import BadInput
+from rvd_dynamics.commands import hand as hands
+from rvd_dynamics.commands.hand import HandForm, HandParams, Hands, Hold
+from rvd_dynamics.diagram.control import Change
+from rvd_dynamics.diagram.in_process import fly
+from rvd_dynamics.diagram.run import Legs
+from rvd_dynamics.diagram.scenario import load, parse
+from rvd_dynamics.motion import attitude
+from rvd_groundstation.prediction.six_dof import (
+    CraftModel, LoopModel, SixDofParams, SixDofPredictor)
+from rvd_missions.docking.safety import ABORT, HOLD, NOMINAL, RETREAT, Safety, SafetyParams
+
+N = 8.1478e-4                           # [rad/s]
+CRAFT = CraftModel(N, 1947.4e3, (LoopModel(12.0, 3.5, 0.3, 0.25), LoopModel(50.0, 3.0, 0.3, 0.25)),
+                   -6.0, 0.1)
+BOTH = hands.HELD | hands.TURN_HELD
+TRUTH, ESTIMATE, GUIDANCE = '/truth/spacecraft', '/onboard/estimate', '/onboard/guidance'
+
+
+def commanded(deflections, flags=BOTH, **params):
+    """Return the wishes of one row for a list of six deflections in percent."""
+    logic = Hands(HandParams(**params), 0.01, 1)
+    return [logic.step(np.array([[*d, flags]])) for d in deflections]
+
+
+# -- controllers ----------------------------------------------------------------------------------
+
+@pytest.mark.parametrize('pressed', [1, 5, 10, 40])
+def test_one_click_is_one_pulse_however_long_it_is_held(pressed):
+    """40 N for 0.1 s are 4 N s: 2 mm/s of 2000 kg."""
+    stick = [(100, 0, 0, 0, 0, 0)]*pressed + [(0,)*6]*40
+    push = np.array([wish.push[0] for wish in commanded(stick)])
+    assert push[:, 0].sum() == 10 and not push[:, 1:].any()
+    assert 40.0*push[:, 0].sum()*0.01 == pytest.approx(4.0)
+
+
+def test_a_stick_that_does_not_come_back_to_neutral_does_not_click_again():
+    wobble = [(100, 0, 0, 0, 0, 0)]*20 + [(20, 0, 0, 0, 0, 0)]*20
+    assert sum(w.push[0, 0] for w in commanded(wobble*3)) == 10
+    clicks = [(100, 0, 0, 0, 0, 0)]*20 + [(5, 0, 0, 0, 0, 0)]*20
+    assert sum(w.push[0, 0] for w in commanded(clicks*3)) == 30
+    other = [(-100, 0, 0, 0, 0, 0)]*20 + [(0,)*6]*20
+    assert sum(w.push[0, 0] for w in commanded(other)) == -10
+
+
+def test_rates_are_in_proportion_outside_of_the_dead_zone():
+    wish = commanded([(100, -40, 5, 6, -100, 0)], BOTH | hands.SWITCHED)[0]
+    assert_allclose(wish.speed[0], [0.05, -0.02, 0.0])
+    assert_allclose(np.degrees(wish.spin[0]), [0.018, -0.3, 0.0])
+    assert not wish.push.any() and not wish.drifts.any()
+
+
+def test_a_controller_that_nobody_holds_holds_the_place():
+    assert commanded([(0,)*6])[0].drifts.tolist() == [[True, False]]
+    assert commanded([(0,)*6], 0)[0].drifts.tolist() == [[False, False]]
+
+
+def test_resume_counts_once_for_each_press():
+    logic = Hands(HandParams(), 0.01, 1)
+    row = [np.array([[0]*6 + [BOTH | hands.RESUME*down]]) for down in (1, 1, 0, 1)]
+    assert [bool(logic.step(command).resume[0]) for command in row] == [True, False, False, True]
+
+
+@given(st.lists(st.integers(-100, 100), min_size=3, max_size=3), st.booleans(), st.booleans(),
+       st.booleans(), st.booleans())
+@settings(max_examples=60)
+def test_a_controller_survives_its_joy_and_both_the_wire(deflection, switched, resume, valid,
+                                                         deadman):
+    hand = HandParams(deadman=deadman)
+    hold = Hold(np.array(deflection, dtype=np.int8), np.bool_(switched), np.bool_(resume),
+                np.bool_(valid))
+    axes, buttons = hands.joy(hold, hand)
+    back = hands.read(np.asarray(axes, dtype=np.float32).tolist(), buttons, hand)
+    assert back.valid == valid
+    if valid:
+        assert all(np.array_equal(a, b) for a, b in zip(back, hold))
+    form, command = HandForm(hand), hands.together(back, back)
+    there = form.wire.unpack(form.wire.pack(*command.tolist()))
+    assert list(there) == command.tolist() and form.legal(there)
+    assert not form.legal([101, 0, 0, 0, 0, 0, 0]) and not form.legal([0]*6 + [32])
+
+
+@pytest.mark.parametrize('axes, buttons, words', [
+    ([0.0, 0.0], [1], 'three axes: Joy has 2'), ([0.0, np.nan, 0.0], [1], r'axis 1 \(y\) is not a'),
+    ([0.0, 0.0, 1.2], [1], r'axis 2 \(z\) is beyond'), ([0.0]*3, [0], 'dead-man button 0'),
+    ([0.0]*3, [], 'dead-man button 0')])
+def test_a_joy_that_is_nobodys_says_why_and_is_neutral(axes, buttons, words):
+    import re
+    assert re.search(words, hands.fault(axes, buttons, HandParams()))
+    hold = hands.read(axes, buttons, HandParams())
+    assert not hold.valid and not hold.deflection.any()
+
+
+# -- the predictor ----------------------------------------------------------------------------------
+
+def telemetry(position=(-6.0, 0.2, -0.1), velocity=(0.02, -0.01, 0.01), turn=(0.02, -0.01, 0.03),
+              rate=(0.0, 0.0, 0.0), safety=0):
+    """Return a row of telemetry; what is held is where it is."""
+    q = attitude.from_rotation_vector(np.array(turn))
+    return np.array([[*position, *velocity, *q, *rate, *position, *q, safety]])
+
+
+def predicted(row, commands, forward=100, back=160, rows=1, step_s=0.01):
+    """Return what is predicted after commands (K, 7) have been sent, with telemetry of a row."""
+    predictor = SixDofPredictor(SixDofParams(), CRAFT, HandParams(), Legs(forward, back, step_s),
+                                rows)
+    row, yes = np.repeat(row, rows, axis=0), np.ones(rows, dtype=bool)
+    for sent in [None, *commands]:
+        sent = None if sent is None else np.broadcast_to(sent, (rows, 7))
+        known = predictor.advance(row, yes, sent)
+    return known
+
+
+NEUTRAL = np.array([0]*6 + [BOTH])
+LOOSE = np.array([0]*6 + [BOTH | hands.TURN_SWITCHED])          # both by pulses: the craft is free
+
+
+def test_a_free_craft_is_carried_as_gravity_and_euler_have_it():
+    """Against Runge-Kutta of order 8 on Clohessy-Wiltshire and Euler's equations with scipy."""
+    w, inertia = np.array([0.01, -0.02, 0.015]), np.array([2200.0, 3000.0, 2800.0])
+    start = telemetry(velocity=(0.2, -0.1, 0.1), rate=w)
+    found = predicted(start, [LOOSE]*300).predicted[0]
+
+    def slope(t, s):
+        x, y, z, vx, vy, vz = s[:6]
+        q, rate = s[6:10], s[10:]
+        rel = rate - Rotation.from_quat(q).inv().apply([0.0, -N, 0.0])
+        a, b, c, d = q
+        turn = 0.5*np.array([[d, -c, b], [c, d, -a], [-b, a, d], [-a, -b, -c]]) @ rel
+        return [vx, vy, vz, 2*N*vz, -N*N*y, -2*N*vx + 3*N*N*z, *turn,
+                *(-np.cross(rate, inertia*rate)/inertia)]
+    true = solve_ivp(slope, (0.0, 2.6), start[0, :13], 'DOP853', rtol=1e-11, atol=1e-13).y[:, -1]
+    assert_allclose(found[:3], true[:3], atol=1e-7)
+    assert_allclose(found[3:6], true[3:6], atol=1e-7)
+    assert_allclose(found[6:10], true[6:10], atol=1e-5)
+    assert_allclose(found[10:], true[10:], atol=2e-6)
+
+
+def test_clicks_that_are_under_way_are_in_the_prediction_alone():
+    """Three clicks of 4 N s in the last 2.6 s; what the telemetry shows is as it was."""
+    click = [np.array([100] + [0]*5 + [BOTH])]*10 + [NEUTRAL]*30
+    known = predicted(telemetry(velocity=(0.0, 0.0, 0.0), turn=(0.0, 0.0, 0.0)),
+                      [NEUTRAL]*260 + click*3)
+    assert known.predicted[0, 3] == pytest.approx(3*4.0/2000.0, rel=1e-3)
+    assert known.estimate[0, 3] == 0.0
+    # pulses of 0.1 s that began 1.2, 0.8 and 0.4 s before
+    way = 0.002*(1.15 + 0.75 + 0.35)
+    assert known.predicted[0, 0] + 6.0 == pytest.approx(way, rel=1e-2)
+
+
+def test_a_rate_that_is_under_way_moves_the_craft_by_what_was_asked():
+    fast = np.array([100, 0, 0, 0, 0, 0, BOTH | hands.SWITCHED])
+    known = predicted(telemetry(velocity=(0.05, 0.0, 0.0), turn=(0.0, 0.0, 0.0)), [fast]*300)
+    assert known.predicted[0, 0] + 6.0 == pytest.approx(0.05*2.6, rel=0.05)
+    still = telemetry(velocity=(0.0, 0.0, 0.0), turn=(0.0, 0.0, 0.0), rate=(0.0, -N, 0.0))
+    turning = np.array([0, 0, 0, 0, 100, 0, BOTH])
+    found = predicted(still, [turning]*600, forward=250, back=250).predicted[0]
+    angle = np.degrees(attitude.rotation_vector(found[6:10]))
+    # the rate comes with the time constant I/(T K T_d) of its loop
+    assert angle[1] == pytest.approx(0.3*(5.0 - 3000.0/(16.0*50.0*3.0)), abs=0.05)
+    assert np.abs(angle[[0, 2]]).max() < 0.05
+
+
+def test_without_delay_the_prediction_is_the_telemetry():
+    row = telemetry()
+    assert_allclose(predicted(row, [NEUTRAL]*5, 0, 0).predicted, row[:, :13], rtol=0, atol=1e-15)
+
+
+def test_rows_of_the_predictor_are_independent_and_gaps_are_bridged():
+    rng = np.random.default_rng(3)
+    row = telemetry() + 0.0
+    sent = [np.array([*rng.integers(-100, 101, 6), BOTH | hands.SWITCHED]) for _ in range(300)]
+    many, one = predicted(row, sent, rows=3), predicted(row, sent)
+    assert np.array_equal(many.predicted, np.repeat(one.predicted, 3, axis=0))
+    predictor = SixDofPredictor(SixDofParams(), CRAFT, HandParams(), Legs(100, 160, 0.01), 1)
+    gone, here = np.zeros(1, dtype=bool), np.ones(1, dtype=bool)
+    free = telemetry(velocity=(0.1, 0.0, 0.0))
+    for k in range(500):
+        predictor.advance(free, here, LOOSE[None] if k else None)
+    for _ in range(200):
+        known = predictor.advance(np.full_like(free, np.nan), gone, LOOSE[None])
+    # 2.6 s of the loop and 2 s without telemetry
+    assert known.valid[0] and known.predicted[0, 0] + 6.0 == pytest.approx(0.1*4.6, abs=1e-3)
+    assert not predictor.advance(free*np.nan, gone, LOOSE[None]).valid[0]
+    assert not predictor.advance(telemetry(safety=ABORT), here, LOOSE[None]).valid[0]
+
+
+# -- safety ---------------------------------------------------------------------------------------
+
+def test_an_operator_resumes_from_hold_and_retreat_but_not_from_abort():
+    safety = Safety(SafetyParams(), 0.01, 4)
+    safety.state = np.array([NOMINAL, HOLD, RETREAT, ABORT], dtype=np.uint8)
+    safety.resume(np.array([False, True, True, True]))
+    assert safety.state.tolist() == [NOMINAL, NOMINAL, NOMINAL, ABORT]
+    safety.state[:] = HOLD
+    safety.resume(np.zeros(4, dtype=bool))
+    assert safety.state.tolist() == [HOLD]*4
+
+
+# -- flights --------------------------------------------------------------------------------------
+
+def scenario(seconds, shared, **sections):
+    """Return a scenario of some length with the simple camera."""
+    text = ('/**: {ros__parameters: {mission: docking, seeing: {camera: simple}, '
+            f'timeout_s: {seconds}, limits: {{from_s: 0.5}}, {shared}}}}}\n')
+    for name, given in {'onboard_guard': 'abort_burn_s: 2.0', **sections}.items():
+        text += f'{name}: {{ros__parameters: {{{given}}}}}\n'
+    return parse(text, 'test')
+
+
+def away(truth):
+    """Return the distance of the faces in each step, the craft taken to be straight."""
+    return -truth.position[:, 0, 0] - 3.0
+
+
+def test_through_the_link_the_operator_sees_the_craft_as_it_will_be_and_can_abort():
+    """12 s with the model pilot, 1 s each way; at 9 s an ABORT goes up, which skips the buffer."""
+    flown = fly(scenario(12.0, 'steering: remote, operator: model, forward_delay_s: 1.0, '
+                         'back_delay_s: 1.0'), range(1), schedule=[Change(900, abort=True)],
+                record=[TRUTH, '/ground/prediction', '/ground/estimate',
+                        '/onboard/thruster_command'])
+    truth, seen, shown = (flown.history[name] for name in (
+        TRUTH, '/ground/prediction', '/ground/estimate'))
+    assert not seen.valid[:100].any() and seen.valid[120:900].all()
+    at = np.arange(300, 700)                # what was predicted acts 1 s later, before the ABORT
+    predicted_off = truth.position[at + 100, 0] - seen.position[at, 0]
+    delayed_off = truth.position[at + 100, 0] - shown.position[at, 0]
+    assert np.sqrt((predicted_off**2).mean()) < 0.2*np.sqrt((delayed_off**2).mean())
+    assert np.abs(predicted_off).max() < 0.012
+    turn = Rotation.from_quat(truth.attitude[at + 100, 0])
+    lag = (turn.inv()*Rotation.from_quat(shown.attitude[at, 0])).magnitude()
+    ahead = (turn.inv()*Rotation.from_quat(seen.attitude[at, 0])).magnitude()
+    assert np.sqrt((ahead**2).mean()) < 0.3*np.sqrt((lag**2).mean())
+    kind = flown.history['/onboard/thruster_command'].kind
+    first = int(np.flatnonzero(np.ravel(kind) == 3)[0])
+    assert 900 < first <= 1000              # the transit, and not the whole buffer
+    assert not seen.valid[901:].any()       # what an ABORT does is not predicted
+
+
+def test_a_craft_that_comes_in_too_fast_aborts_and_stays_away():
+    """J4 for 2 s, 240 N on 2000 kg; then it coasts, and in an orbit does not come back."""
+    flown = fly(scenario(9.0, 'steering: profile', docking_controller='safety: {brake_m_s2: 1e-5}'),
+                range(1), record=[TRUTH, GUIDANCE])
+    truth, state = flown.history[TRUTH], np.ravel(flown.history[GUIDANCE].safety)
+    begin = int(np.flatnonzero(state == ABORT)[0])
+    assert truth.velocity[begin, 0, 0] == pytest.approx(0.02, abs=0.002)
+    assert np.all(state[begin:] == ABORT)
+    brake = truth.thrust[:, 0, 25:29]
+    assert np.all(brake[begin + 10:begin + 195] > 0.8) and brake[begin + 220:].max() < 1e-3
+    assert truth.thrust[begin + 220:, 0].max() < 1e-3
+    v = truth.velocity[-1, 0]
+    assert v[0] == pytest.approx(0.02 - 2.0*240.0/2000.0, abs=0.02)
+    # Clohessy-Wiltshire in closed form, z to the Moon: backwards, it falls below and passes by
+    x, _, z = truth.position[-1, 0]
+    nt = N*np.arange(0.0, 7711.5, 10.0)
+    xs = x + v[0]/N*(4*np.sin(nt) - 3*nt) + 6*z*(np.sin(nt) - nt) + 2*v[2]/N*(1 - np.cos(nt))
+    zs = (4 - 3*np.cos(nt))*z + v[2]/N*np.sin(nt) - 2*v[0]/N*(1 - np.cos(nt))
+    assert np.hypot(xs, zs).min() >= 0.99*np.hypot(x, z)
+
+
+def test_a_craft_too_far_aside_retreats_to_three_metres_with_its_brake_and_stays():
+    flown = fly(scenario(20.0, 'steering: profile, start: {position_m: [-5.2, 0.2, -0.15]}',
+                         docking_controller='safety: {near_m: 2.9, near_lateral_m: 0.1}'),
+                range(1), record=[TRUTH, GUIDANCE])
+    truth, state = flown.history[TRUTH], np.ravel(flown.history[GUIDANCE].safety)
+    assert state[5] == NOMINAL and np.all(state[15:] == RETREAT)
+    assert truth.thrust[:, 0, 25:29].max() > 0.8
+    assert away(truth)[-1] == pytest.approx(3.0, abs=0.1)
+    assert truth.velocity[:, 0, 0].min() < -0.1 and np.abs(truth.velocity[-200:, 0]).max() < 0.05
+    assert np.abs(truth.position[-1, 0, 1:] - [0.2, -0.15]).max() < 0.05
+
+
+TAPE = '''t_s,axis_0,axis_1,axis_2,axis_3,axis_4,axis_5,button_0,button_1,button_2,button_3,button_4,button_5
+0,1,0,0,0,0,0,1,1,0,1,0,0
+32,0,0,0,0,0,0,1,1,1,1,0,0
+32.5,1,0,0,0,0,0,1,1,0,1,0,0
+60,0,0,0,0,0,0,1,1,0,1,0,0
+'''
+
+
+@pytest.mark.slow
+def test_after_a_retreat_the_operator_resumes_and_flies_on(tmp_path):
+    """From 1.1 m, 10 cm aside: J4 takes it to 3 m; hands are not heard until button 2 is pressed."""
+    (tmp_path / 'tape.csv').write_text(TAPE)
+    flown = fly(scenario(37.0, 'steering: aboard, operator: replay, start: {position_m: [-4.1, 0.1,'
+                         ' 0.0], attitude_deg: [0.0, 0.0, 0.0]}',
+                         joystick_replay=f'tape: "{tmp_path}/tape.csv"',
+                         docking_controller='safety: {near_m: 1.2}'), range(1),
+                record=[TRUTH, GUIDANCE])
+    truth, state = flown.history[TRUTH], np.ravel(flown.history[GUIDANCE].safety)
+    assert np.all(state[20:3200] == RETREAT) and np.all(state[3202:] == NOMINAL)
+    assert truth.thrust[:, 0, 25:29].max() > 0.8
+    assert away(truth)[3150] == pytest.approx(3.0, abs=0.06)
+    assert away(truth).max() < 3.35         # J2 alone stops it: (0.1 m/s)^2/(2 x 0.02 m/s^2) = 0.25 m
+    assert np.abs(truth.velocity[3150:3200, 0]).max() < 0.025
+    assert truth.velocity[-50:, 0, 0].mean() == pytest.approx(0.05, abs=0.02)
+    assert away(truth)[-1] < away(truth)[3250] - 0.1
+
+
+@pytest.mark.slow
+def test_the_tape_of_two_hands_docks():
+    """Rates alone, from 3 m into the band, with panels, tanks, both filters and safety."""
+    shipped = load(_shipped('scenarios', 'docking_manual.yaml')).with_values(
+        '/**', operator='replay', timeout_s=88.0, **{'limits.from_s': 80.0,
+                                                     'seeing.camera': 'simple'})
+    flown = fly(shipped.with_values('joystick_replay', tape=str(_shipped('tapes',
+                                                                         'docking_hands.csv'))),
+                range(1))
+    assert flown.verdict.success.all(), (flown.verdict.reason, flown.verdict.values)
+    assert flown.verdict.values['settled_s'][0] < 76.0
+    assert flown.columns['safety_state'][0] == NOMINAL
+
+
+def _shipped(folder, name):
+    from pathlib import Path
+    return Path(__file__).resolve().parents[4] / folder / name
+
+
+@pytest.mark.parametrize('shared, sections, words', [
+    ('operator: model', {}, 'operator model needs steering aboard or remote, got profile'),
+    ('steering: aboard', {}, 'steering aboard needs an operator: model, replay or joy, got none'),
+    ('steering: remote, operator: console', {}, 'operator console: the page has no two hand'),
+    ('steering: aboard, operator: joy, joy_input: held', {}, 'joy_input held needs pace realtime'),
+    ('steering: aboard, operator: replay', {}, 'operator replay needs a tape'),
+    ('steering: aboard, operator: model, hand: {pulse_s: 0.02}', {}, 'pulse_s'),
+    ('steering: aboard, operator: model, hand: {pulse_s: 0.105}', {}, 'hand.pulse_s'),
+    ('steering: aboard, operator: model, hand: {click: 0.04}', {}, 'click must be above dead_zone'),
+    ('steering: remote, operator: model, forward_delay_s: 1.333', {}, 'forward_delay_s')])
+def test_who_cannot_steer_is_refused_in_one_line(shared, sections, words):
+    with pytest.raises(BadInput, match=words) as refused:
+        fly(scenario(1.0, shared, **sections), range(1))
+    assert '\n' not in str(refused.value)
+
+
+def test_a_tape_of_one_stick_is_refused_with_what_it_has(tmp_path):
+    (tmp_path / 'one.csv').write_text('t_s,axis_0,axis_1,axis_2,button_0\n0,0,0,0,1\n9,0,0,0,1\n')
+    with pytest.raises(BadInput, match='have 6 axes and 6 buttons on a tape, got 3 and 1'):
+        fly(scenario(1.0, 'steering: aboard, operator: replay',
+                     joystick_replay=f'tape: "{tmp_path}/one.csv"'), range(1))
