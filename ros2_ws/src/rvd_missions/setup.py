@@ -6,7 +6,7 @@ NAME = 'rvd_missions'
 MISSIONS = ['lunar_approach', 'attitude_hold', 'obstacle_field', 'elliptic_rendezvous',
             'docking', 'tether']
 BLOCKS = ['attitude_dynamics', 'attitude_sensors', 'attitude_controller', 'docking_dynamics',
-          'inertial_unit', 'camera', 'vision', 'docking_navigation', 'docking_controller',
+          'inertial_unit', 'camera', 'vision', 'docking_navigation', 'docking_controller', 'closing_planner',
           'gripper_dynamics', 'gripper_sensors', 'gripper_tracker', 'mission_control']
 
 setup(

@@ -5,14 +5,21 @@ The data flow: the only place where it is written.
       ^      |                                            ^                                        |
       |      +-> camera -> vision (pinhole alone) --------+                     onboard_guard <----+
       +------------------------------- valves --------------------------------------+
+
+With a planner of the ground, docking_controller -> link_back -> closing_planner -> link_forward
+-> docking_controller besides.
 """
 
-from rvd_dynamics.diagram.block import Block, last, now, ONBOARD, Read, WATCH, WORLD
+from collections.abc import Callable
+
+from rvd_dynamics.diagram.block import Block, GROUND, last, now, ONBOARD, Read, WATCH, WORLD
 from rvd_dynamics.diagram.diagram import Diagram
 from rvd_dynamics.diagram.scenario import Scenario
 from rvd_dynamics.diagram.streams import Normals, StartNormals
+from rvd_dynamics.link.leg import leg
 from rvd_missions.docking import HERE
 from rvd_missions.docking.commands import COUNT
+from rvd_missions.docking.plan_signals import ARRIVAL, DOWNLINK, TELEMETRY, UPLINK
 from rvd_missions.docking.signals import (
     ESTIMATE, FEATURES, GUIDANCE, INERTIAL, MARKERS, POSE, THRUST, TRUTH, WANTED)
 
@@ -53,9 +60,7 @@ def diagram(scenario: Scenario) -> Diagram:
         block('docking_navigation', 'onboard:Navigation', ONBOARD,
               reads={'inertial': now(INERTIAL), 'pose': last(POSE)},
               writes={'estimate': ESTIMATE}),
-        block('docking_controller', 'onboard:Controller', ONBOARD,
-              reads={'estimate': now(ESTIMATE)},
-              writes={'wanted': WANTED, 'guidance': GUIDANCE}, control=True),
+        *_guided(scenario, block),
         Block('onboard_guard', 'rvd_dynamics.onboard.guard.block:Guard', ONBOARD,
               reads={'arrival': now(WANTED)}, writes={'thrust': THRUST},
               settings=settings['onboard_guard']),
@@ -63,3 +68,21 @@ def diagram(scenario: Scenario) -> Diagram:
             'truth': now(TRUTH), 'estimate': now(ESTIMATE), 'guidance': now(GUIDANCE)},
             executable=''),
     ), plant='docking_dynamics', guard='onboard_guard', thrust=THRUST.name)
+
+
+def _guided(scenario: Scenario, block: Callable[..., Block]) -> tuple[Block, ...]:
+    """Return the controller, and what makes the plan that it tracks if the ground does."""
+    reads, writes = {'estimate': now(ESTIMATE)}, {'wanted': WANTED, 'guidance': GUIDANCE}
+    if not scenario.part('preparation').on_ground:
+        return (block('docking_controller', 'onboard:Controller', ONBOARD, reads=reads,
+                      writes=writes, control=True),)
+    legs = scenario.part('legs')
+    return (
+        # what came up in the step before: its downlink is on the same way round
+        block('docking_controller', 'tracking:TrackingController', ONBOARD,
+              reads={**reads, 'plan': last(ARRIVAL)}, writes={**writes, 'downlink': DOWNLINK},
+              control=True),
+        leg(scenario, 'link_back', DOWNLINK, TELEMETRY, legs.back),
+        Block('closing_planner', f'{HERE}.ground:ClosingPlanner', GROUND, package=PACKAGE,
+              reads={'telemetry': now(TELEMETRY)}, writes={'plan': UPLINK}),
+        leg(scenario, 'link_forward', UPLINK, ARRIVAL, legs.forward))
