@@ -11,9 +11,11 @@ from rvd_missions.docking.signals import ESTIMATE, GUIDANCE, POSE, THRUST, TRUTH
 
 SHORT = '''
 /**: {ros__parameters: {mission: docking, timeout_s: 4.0, limits: {from_s: 1.0},
-                        seeing: {camera: %s}}}
+                        seeing: {camera: %s}, planner: %s}}
 '''
-FLIGHTS = {'blocks': 'pinhole', 'segments': 'simple', 'one': 'pinhole'}     # grouping: camera
+FLIGHTS = {                                     # grouping: camera, planner
+    'blocks': ('pinhole', 'velocity_profile'), 'segments': ('simple', 'pseudospectral'),
+    'one': ('pinhole', 'velocity_profile')}
 
 
 @pytest.mark.slow

@@ -9,7 +9,7 @@ BLOCKS = ['attitude_dynamics', 'attitude_sensors', 'attitude_controller', 'docki
           'inertial_unit', 'camera', 'vision', 'docking_navigation', 'docking_controller',
           'gripper_dynamics', 'gripper_sensors', 'gripper_tracker', 'mission_control',
           'docking_telemetry', 'hand_predictor', 'hand_pilot', 'hand_uplink',
-          'standard_messages']
+          'closing_planner', 'standard_messages']
 
 setup(
     name=NAME,

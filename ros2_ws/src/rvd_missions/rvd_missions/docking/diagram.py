@@ -5,14 +5,21 @@ The data flow: the only place where it is written.
       ^      |                                            ^                                        |
       |      +-> camera -> vision (pinhole alone) --------+                     onboard_guard <----+
       +------------------------------- valves --------------------------------------+
+
+With a planner of the ground, docking_controller -> link_back -> closing_planner -> link_forward
+-> docking_controller besides.
 """
 
-from rvd_dynamics.diagram.block import Block, last, now, ONBOARD, Read, WATCH, WORLD
+from collections.abc import Callable
+
+from rvd_dynamics.diagram.block import Block, GROUND, last, now, ONBOARD, Read, WATCH, WORLD
 from rvd_dynamics.diagram.diagram import Diagram
 from rvd_dynamics.diagram.scenario import Scenario
 from rvd_dynamics.diagram.streams import Normals, StartNormals
+from rvd_dynamics.link.leg import leg
 from rvd_missions.docking import hand_diagram, HERE, standard
 from rvd_missions.docking.commands import COUNT
+from rvd_missions.docking.plan_signals import ARRIVAL, DOWNLINK, TELEMETRY, UPLINK
 from rvd_missions.docking.signals import (
     ESTIMATE, FEATURES, GUIDANCE, INERTIAL, MARKERS, POSE, THRUST, TRUTH, WANTED)
 
@@ -40,11 +47,10 @@ def diagram(scenario: Scenario) -> Diagram:
               writes={'pose': POSE}, period=period),
     ) if pinhole else (
         block('camera', 'space:SimpleCamera', WORLD, writes={'pose': POSE}, **seen),)
-    flown = (block('docking_controller', 'onboard:Controller', ONBOARD,
-                   reads={'estimate': now(ESTIMATE)},
-                   writes={'wanted': WANTED, 'guidance': GUIDANCE}, control=True),)
     if scenario.part('operation').by_hand:
         flown = (hand_diagram.controller(scenario), *hand_diagram.others(scenario))
+    else:
+        flown = _guided(scenario, block)
     return Diagram((
         block('docking_dynamics', 'space:Dynamics', WORLD, reads={'thrust': last(THRUST)},
               writes={'truth': TRUTH}, draws={
@@ -68,3 +74,21 @@ def diagram(scenario: Scenario) -> Diagram:
         *standard.blocks(scenario),
     ), plant='docking_dynamics', guard='onboard_guard', thrust=THRUST.name,
         externals=hand_diagram.externals(scenario))
+
+
+def _guided(scenario: Scenario, block: Callable[..., Block]) -> tuple[Block, ...]:
+    """Return the controller, and what makes the plan that it tracks if the ground does."""
+    reads, writes = {'estimate': now(ESTIMATE)}, {'wanted': WANTED, 'guidance': GUIDANCE}
+    if not scenario.part('preparation').on_ground:
+        return (block('docking_controller', 'onboard:Controller', ONBOARD, reads=reads,
+                      writes=writes, control=True),)
+    legs = scenario.part('legs')
+    return (
+        # what came up in the step before: its downlink is on the same way round
+        block('docking_controller', 'tracking:TrackingController', ONBOARD,
+              reads={**reads, 'plan': last(ARRIVAL)}, writes={**writes, 'downlink': DOWNLINK},
+              control=True),
+        leg(scenario, 'link_back', DOWNLINK, TELEMETRY, legs.back),
+        Block('closing_planner', f'{HERE}.plan_ground:ClosingPlanner', GROUND, package=PACKAGE,
+              reads={'telemetry': now(TELEMETRY)}, writes={'plan': UPLINK}),
+        leg(scenario, 'link_forward', UPLINK, ARRIVAL, legs.forward))

@@ -2,6 +2,8 @@
 Settings of a craft that is flown by hand: who steers, from where, and the delays.
 """
 
+from typing import Any
+
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.commands.hand import HandForm, HandParams
 from rvd_dynamics.diagram.params import param, settings
@@ -45,16 +47,16 @@ class Steering:
 
 
 @settings
-class MoonDelay(LegParams):
-    """Delays of the two legs of the link, after their play-out buffers."""
+class LinkDelay(LegParams):
+    """Delays of the two legs of the link, after their play-out buffers; none by default."""
 
     forward_delay_s: float = param(
-        1.3, 'Constant delay of the forward link [s].', low=0.0, high=60.0)
+        0.0, 'Constant delay of the forward link [s].', low=0.0, high=60.0)
     back_delay_s: float = param(
-        1.3, 'Constant delay of the back link [s].', low=0.0, high=60.0)
+        0.0, 'Constant delay of the back link [s].', low=0.0, high=60.0)
 
 
-def steered(operation: Steering, run: Run, hand: HandParams) -> Steering:
+def steered(operation: Steering, run: Run, hand: HandParams, planner: Any) -> Steering:
     """
     Return who steers, or refuse who cannot.
 
@@ -69,6 +71,9 @@ def steered(operation: Steering, run: Run, hand: HandParams) -> Steering:
             raise BadInput(f'operator {operation.operator} needs steering aboard or remote, got '
                            'profile: the craft flies by itself')
         return operation
+    if planner.planner != 'velocity_profile':
+        raise BadInput(f'planner {planner.planner} needs steering profile: nobody tracks its plan '
+                       f'by hand, got {operation.steering}')
     if operation.operator == 'none':
         raise BadInput(f'steering {operation.steering} needs an operator: model, replay or joy, '
                        'got none')

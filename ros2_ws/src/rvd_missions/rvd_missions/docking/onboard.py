@@ -146,15 +146,7 @@ class Controller:
 
     def _reference(self, t: float, r: NDArray, state: NDArray) -> tuple[NDArray, NDArray]:
         """Return the wanted place and velocity (N, 3) of the craft's centre; NaN if unknown."""
-        if self._profile is None:
-            if not np.isfinite(r).all():
-                return np.full_like(r, np.nan), np.full_like(r, np.nan)
-            self._began = t
-            self._profile = Profile(self._settings.profile, r + markers.CHASER_PORT
-                                    - markers.TARGET_PORT, self._aim.distance_m,
-                                    self._aim.nominal_s - t)
-        port, speed = self._profile.at(t - self._began)
-        wanted = port - markers.CHASER_PORT + markers.TARGET_PORT
+        wanted, speed = self._guided(t, r)
         stopped = state >= HOLD
         if stopped.any():
             self._held = np.where((stopped & np.isnan(self._held[:, 0]))[:, None], r, self._held)
@@ -166,6 +158,18 @@ class Controller:
             speed = np.where(stopped[:, None], 0.0, speed)
             speed[:, 0] -= np.where(going, BACK_M_S, 0.0)
         return wanted, speed
+
+    def _guided(self, t: float, r: NDArray) -> tuple[NDArray, NDArray]:
+        """Return place and velocity (N, 3) that guidance wants, were all well; NaN if unknown."""
+        if self._profile is None:
+            if not np.isfinite(r).all():
+                return np.full_like(r, np.nan), np.full_like(r, np.nan)
+            self._began = t
+            self._profile = Profile(self._settings.profile, r + markers.CHASER_PORT
+                                    - markers.TARGET_PORT, self._aim.distance_m,
+                                    self._aim.nominal_s - t)
+        port, speed = self._profile.at(t - self._began)
+        return port - markers.CHASER_PORT + markers.TARGET_PORT, speed
 
     def _out(self, rows: NDArray) -> NDArray:
         return rows.reshape((*self._batch, *rows.shape[1:]))

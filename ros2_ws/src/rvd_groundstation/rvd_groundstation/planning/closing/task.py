@@ -26,14 +26,9 @@ SAMPLES = 2001                          # of a plan whose limits are looked at
 
 
 @settings
-class ClosingParams:
+class ClosingLimits:
     """What a closing may do, and what it costs."""
 
-    orbit_radius_m: float = param(
-        RADIUS_MOON + 210e3, 'Radius of the circular target orbit [m].', above=0.0)
-    gravitational_parameter_m3_s2: float = param(
-        MU_MOON, 'Gravitational parameter of the central body [m^3/s^2].', above=0.0)
-    nominal_s: float = param(80.0, 'Nominal duration tnom [s].', above=0.0)
     duration_s: tuple = param(
         (60.0, 120.0), 'Least and greatest duration [s].', length=2, above=0.0)
     time_weight: float = param(1e-3, 'Weight k1 of the square of the time off nominal [1/s^2].',
@@ -46,14 +41,25 @@ class ClosingParams:
     view_half_angle_deg: float = param(
         20.0, 'Half angle of the cone of view of the port, in which the docking face stays [deg].',
         above=0.0, below=90.0)
-    port_to_centres_m: float = param(
-        3.0, 'Distance of the centres of mass when the docking faces touch [m].', low=0.0)
     keep_out_radius_m: float = param(
         2.5, 'Radius about the target that the centre of mass stays out of [m].', low=0.0)
 
     def __post_init__(self) -> None:
         require(self.duration_s[0] <= self.duration_s[1], 'duration_s', 'rise',
                 list(self.duration_s))
+
+
+@settings
+class ClosingParams(ClosingLimits):
+    """The limits, and where it happens."""
+
+    orbit_radius_m: float = param(
+        RADIUS_MOON + 210e3, 'Radius of the circular target orbit [m].', above=0.0)
+    gravitational_parameter_m3_s2: float = param(
+        MU_MOON, 'Gravitational parameter of the central body [m^3/s^2].', above=0.0)
+    nominal_s: float = param(80.0, 'Nominal duration tnom [s].', above=0.0)
+    port_to_centres_m: float = param(
+        3.0, 'Distance of the centres of mass when the docking faces touch [m].', low=0.0)
 
     @property
     def mean_motion(self) -> float:
