@@ -4,10 +4,11 @@ from setuptools import find_packages, setup
 
 NAME = 'rvd_missions'
 MISSIONS = ['lunar_approach', 'attitude_hold', 'obstacle_field', 'elliptic_rendezvous',
-            'docking', 'tether']
+            'docking', 'tether', 'tether_delay']
 BLOCKS = ['attitude_dynamics', 'attitude_sensors', 'attitude_controller', 'docking_dynamics',
           'inertial_unit', 'camera', 'vision', 'docking_navigation', 'docking_controller',
-          'gripper_dynamics', 'gripper_sensors', 'gripper_tracker', 'mission_control']
+          'gripper_dynamics', 'gripper_sensors', 'gripper_tracker', 'mission_control',
+          'flight_director']
 
 setup(
     name=NAME,
