@@ -4,12 +4,12 @@ from setuptools import find_packages, setup
 
 NAME = 'rvd_missions'
 MISSIONS = ['lunar_approach', 'attitude_hold', 'obstacle_field', 'elliptic_rendezvous',
-            'docking', 'tether']
+            'docking', 'tether', 'tether_delay']
 BLOCKS = ['attitude_dynamics', 'attitude_sensors', 'attitude_controller', 'docking_dynamics',
           'inertial_unit', 'camera', 'vision', 'docking_navigation', 'docking_controller',
           'gripper_dynamics', 'gripper_sensors', 'gripper_tracker', 'mission_control',
           'docking_telemetry', 'hand_predictor', 'hand_pilot', 'hand_uplink',
-          'closing_planner', 'standard_messages']
+          'closing_planner', 'standard_messages', 'flight_director']
 
 setup(
     name=NAME,

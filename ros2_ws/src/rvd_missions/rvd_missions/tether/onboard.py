@@ -14,7 +14,7 @@ Source  assumed: section 2.3 of Hu et al. and its gains are lost (docs/missions/
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from rvd_dynamics.commands.codes import KIND_ABORT, KIND_THRUST
 from rvd_dynamics.diagram.params import param, settings
@@ -23,6 +23,7 @@ from rvd_missions.tether import geometry
 from rvd_missions.tether.commands import TetherForm
 from rvd_missions.tether.inputs import InputParams, reference
 from rvd_missions.tether.optimum import Preparation
+from rvd_missions.tether.settings import GripperParams
 from rvd_missions.tether.signals import DOWNLINK, TRACKING, WANTED
 
 
@@ -43,6 +44,49 @@ class TrackerParams:
         True, 'Whether losing the target out of the field of view asks for an ABORT.')
 
 
+class Feedback:
+    """The law of the module on arrays (..., 6), with the memory of its filtered difference."""
+
+    def __init__(self, settings: TrackerParams, gripper: GripperParams, step_s: float,
+                 batch: tuple) -> None:
+        m, inertia = gripper.mass_kg, np.array(gripper.inertia_kg_m2)
+        wl, wa, wt = settings.length_rad_s, settings.bearing_rad_s, settings.attitude_rad_s
+        # along, two across (times the range of the step), three about the body's axes
+        self._stiffness = np.array([-m*wl*wl, m*wa*wa, m*wa*wa, *-inertia*wt*wt])
+        self._damping = 2.0*np.array([-m*wl, m*wa, m*wa, *-inertia*wt])
+        self._blend = step_s/(settings.filter_s + step_s)
+        self._step_s = step_s
+        self._error, self._slope = np.zeros((2, *batch, 6))
+        self._begun = False
+
+    def answer(self, error: NDArray, planned_range: ArrayLike, anew: NDArray | None = None
+               ) -> NDArray[np.float64]:
+        """
+        Return force and torque (..., 6) that answer an error (..., 6) at a range (...) [m].
+
+        Where it is not known the last one holds. Where `anew` (...) another reference is followed
+        than in the step before, whose difference to that one is no motion.
+        """
+        error = np.where(np.isfinite(error), error, self._error)
+        if self._begun:
+            change = (error - self._error)/self._step_s
+            slope = self._slope + self._blend*(change - self._slope)
+            self._slope = slope if anew is None else np.where(anew[..., np.newaxis], 0.0, slope)
+        self._error, self._begun = error, True
+        far = np.asarray(planned_range, dtype=float)
+        one = np.ones_like(far)
+        scale = np.stack([one, far, far, one, one, one], axis=-1)
+        return scale*(self._stiffness*error + self._damping*self._slope)
+
+
+def seen(measurement: Any) -> NDArray[np.float64]:
+    """Return (..., 6) length and angles of a measurement."""
+    sight = geometry.line(geometry.to_inertial(measurement.attitude, measurement.bearing))
+    angles = geometry.euler(measurement.attitude)
+    return np.stack([measurement.encoder, sight.alpha, sight.beta,
+                     *np.moveaxis(angles, -1, 0)], axis=-1)
+
+
 class GripperTracker:
     """
     Fires on each measurement.
@@ -58,28 +102,20 @@ class GripperTracker:
         times = np.arange(p.last_step(run) + 1)*run.step_s
         self._planned = reference(p.plan, inputs.spline, times, p.orbit, p.gripper, p.tether,
                                   p.approach, settings.knows_stretch)
-        m, inertia = p.gripper.mass_kg, np.array(p.gripper.inertia_kg_m2)
-        wl, wa, wt = settings.length_rad_s, settings.bearing_rad_s, settings.attitude_rad_s
-        # along, two across (times the range of the step), three about the body's axes
-        self._stiffness = np.array([-m*wl*wl, m*wa*wa, m*wa*wa, *-inertia*wt*wt])
-        self._damping = 2.0*np.array([-m*wl, m*wa, m*wa, *-inertia*wt])
-        self._blend = run.step_s/(settings.filter_s + run.step_s)
-        self._step_s = run.step_s
-        self._error, self._slope = np.zeros((2, *batch, 6))
-        self._begun = False
+        self._feedback = Feedback(settings, p.gripper, run.step_s, batch)
         self._received = np.ones(batch, dtype=bool)
 
     def step(self, k: int, measurement: Any, arrival: Any) -> dict[str, Any]:
         """Return the command of step k, for the guard, and the downlink."""
         at = min(k, len(self._planned.range_m) - 1)
         planned, fed = self._planned.seen[at], self._planned.inputs[at]
-        seen = self._seen(measurement)
-        batch = seen.shape[:-1]
+        measured = seen(measurement)
+        batch = measured.shape[:-1]
         planned, fed = (np.broadcast_to(v, (*batch, len(v))) for v in (planned, fed))
         wanted = fed
         if self._settings.feedback:
-            wanted = np.concatenate([fed[..., :1], fed[..., 1:] + self._feedback(
-                seen - planned, self._planned.range_m[at])], axis=-1)
+            wanted = np.concatenate([fed[..., :1], fed[..., 1:] + self._feedback.answer(
+                measured - planned, self._planned.range_m[at])], axis=-1)
         command = self._form.quantise(wanted)
         known = np.isfinite(measurement.encoder)            # in real time one may be missing
         blind = ~measurement.in_view & known & (
@@ -88,29 +124,7 @@ class GripperTracker:
         distance = np.full(batch, self._planned.range_m[at])
         return {'wanted': WANTED(command=command, received=self._received,
                                  kind=np.where(asked, np.uint8(KIND_ABORT), np.uint8(KIND_THRUST))),
-                'tracking': TRACKING(planned=planned, measured=seen, feedforward=fed,
+                'tracking': TRACKING(planned=planned, measured=measured, feedforward=fed,
                                      range=distance),
                 'downlink': DOWNLINK(state=np.concatenate(
-                    [seen, planned, distance[..., np.newaxis], command[..., :1]], axis=-1))}
-
-    @staticmethod
-    def _seen(measurement: Any) -> NDArray[np.float64]:
-        """Return (..., 6) length and angles of a measurement."""
-        sight = geometry.line(geometry.to_inertial(measurement.attitude, measurement.bearing))
-        angles = geometry.euler(measurement.attitude)
-        return np.stack([measurement.encoder, sight.alpha, sight.beta,
-                         *np.moveaxis(angles, -1, 0)], axis=-1)
-
-    def _feedback(self, error: NDArray, planned_range: float) -> NDArray[np.float64]:
-        """
-        Return force and torque (..., 6) that answer an error (..., 6).
-
-        Where it is not known the last one holds.
-        """
-        error = np.where(np.isfinite(error), error, self._error)
-        if self._begun:
-            change = (error - self._error)/self._step_s
-            self._slope = self._slope + self._blend*(change - self._slope)
-        self._error, self._begun = error, True
-        scale = np.array([1.0, planned_range, planned_range, 1.0, 1.0, 1.0])
-        return scale*(self._stiffness*error + self._damping*self._slope)
+                    [measured, planned, distance[..., np.newaxis], command[..., :1]], axis=-1))}
