@@ -4,8 +4,6 @@ The craft as the ground takes it to move, compiled; `six_dof` says what the arra
 
 from math import atan2, cos, sin, sqrt
 
-import numpy as np
-
 from rvd_dynamics.compiled import compiled
 
 # Positions in a row of telemetry.

@@ -22,6 +22,7 @@ MISSION = Mission(
         Shared('aim', f'{SETTINGS}:Aim', 'aim.'),
         Shared('limits', f'{SETTINGS}:Limits', 'limits.'),
         Shared('seeing', f'{SETTINGS}:Seeing', 'seeing.'),
+        Shared('scatter', f'{HERE}.scatter:Scatter', 'scatter.'),
         Shared('camera', 'rvd_dynamics.geometry.pinhole:CameraParams', 'camera.'),
         Shared('planner', f'{HERE}.planning:PlannerParams'),
         Shared('closing', f'{HERE}.planning:ClosingTask', 'closing.'),

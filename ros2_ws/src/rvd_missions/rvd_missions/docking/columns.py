@@ -8,12 +8,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rvd_dynamics.motion import attitude
+from rvd_dynamics.world.spacecraft.spacecraft import Spacecraft
+from rvd_missions.docking.scatter import drawn, Scatter
+from rvd_missions.docking.settings import Chaser
 
 
 class Columns:
     """Root mean squares over each run, from the first estimate on; nothing is judged by them."""
 
-    def __init__(self, batch: tuple) -> None:
+    def __init__(self, scatter: Scatter, craft: Spacecraft, chaser: Chaser, properties: NDArray,
+                 batch: tuple) -> None:
+        self._redrawn = drawn(scatter, craft, chaser, properties).redrawn.reshape(batch)
         self._ended = np.zeros(batch, dtype=bool)
         self._place, self._speed, self._angle, self._count = np.zeros((4, *batch))
         self._nis, self._views = np.zeros((*batch, 2)), np.zeros(batch)
@@ -45,4 +50,4 @@ class Columns:
                     'nav_attitude_error_deg': np.degrees(np.sqrt(self._angle/n)),
                     'nis_attitude': self._nis[..., 0]/self._views,
                     'nis_position': self._nis[..., 1]/self._views,
-                    'safety_state': self._safety, 'steps': end_step}
+                    'safety_state': self._safety, 'redrawn': self._redrawn, 'steps': end_step}

@@ -20,6 +20,7 @@ from rvd_dynamics.link.leg import leg
 from rvd_missions.docking import hand_diagram, HERE, standard
 from rvd_missions.docking.commands import COUNT
 from rvd_missions.docking.plan_signals import ARRIVAL, DOWNLINK, TELEMETRY, UPLINK
+from rvd_missions.docking.scatter import PROPERTIES
 from rvd_missions.docking.signals import (
     ESTIMATE, FEATURES, GUIDANCE, INERTIAL, MARKERS, POSE, THRUST, TRUTH, WANTED)
 
@@ -39,7 +40,8 @@ def diagram(scenario: Scenario) -> Diagram:
         return Block(name, f'{HERE}.{make}', segment, package=PACKAGE,
                      settings=settings[name], **more)
 
-    seen = {'draws': {'views': StartNormals('docking/camera/views', views*VIEW_DRAWS)},
+    seen = {'draws': {'views': StartNormals('docking/camera/views', views*VIEW_DRAWS),
+                      'properties': PROPERTIES},
             'reads': {'truth': Read(TRUTH, late)}, 'period': period}
     camera = (
         block('camera', 'space:Camera', WORLD, writes={'features': FEATURES}, **seen),
@@ -54,7 +56,8 @@ def diagram(scenario: Scenario) -> Diagram:
     return Diagram((
         block('docking_dynamics', 'space:Dynamics', WORLD, reads={'thrust': last(THRUST)},
               writes={'truth': TRUTH}, draws={
-                  'scatter': StartNormals('docking/dynamics/scatter', 9),
+                  'start_scatter': StartNormals('docking/dynamics/scatter', 9),
+                  'properties': PROPERTIES,
                   'pulses': StartNormals('docking/dynamics/pulses', PULSE_DRAWS)}),
         block('inertial_unit', 'space:Inertial', WORLD, reads={'truth': now(TRUTH)},
               writes={'inertial': INERTIAL}, draws={
@@ -70,7 +73,7 @@ def diagram(scenario: Scenario) -> Diagram:
               settings=settings['onboard_guard']),
         Block('columns', f'{HERE}.columns:Columns', WATCH, reads={
             'truth': now(TRUTH), 'estimate': now(ESTIMATE), 'guidance': now(GUIDANCE)},
-            executable=''),
+            draws={'properties': PROPERTIES}, executable=''),
         *standard.blocks(scenario),
     ), plant='docking_dynamics', guard='onboard_guard', thrust=THRUST.name,
         externals=hand_diagram.externals(scenario))

@@ -2,6 +2,7 @@
 The judge: did the chaser come to hover before the port, and how? From the truth alone.
 """
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -12,7 +13,8 @@ from rvd_dynamics.diagram.run import Run
 from rvd_dynamics.geometry.pinhole import CameraParams, USABLE
 from rvd_dynamics.motion import attitude
 from rvd_dynamics.world.sensors.camera import features, ImageParams
-from rvd_missions.docking import markers
+from rvd_dynamics.world.spacecraft.spacecraft import Spacecraft
+from rvd_missions.docking import markers, scatter as scattering
 from rvd_missions.docking.settings import Aim, Chaser, ended, faces, Limits
 from rvd_missions.docking.space import relative
 
@@ -29,7 +31,8 @@ class Judge:
     }
 
     def __init__(self, run: Run, aim: Aim, limits: Limits, chaser: Chaser, camera: CameraParams,
-                 period: int, batch: tuple = ()) -> None:
+                 scatter: scattering.Scatter, craft: Spacecraft, period: int, batch: tuple = (),
+                 runs: Sequence[int] | None = None) -> None:
         low, high = aim.distance_m - limits.band_m, aim.distance_m + limits.band_m
         self._band = (low, high)
         self.measures = (
@@ -51,7 +54,8 @@ class Judge:
         self._run, self._limits, self._period = run, limits, period
         self._from = int(np.ceil(limits.from_s/run.step_s - 1e-9))
         self._nominal = round(aim.nominal_s/run.step_s)
-        self._camera, self._centre = camera, np.array(chaser.centre_m)
+        self._camera = camera
+        self._centre = scattering.centre(scatter, craft, chaser, run, runs, batch)
         self._points = markers.TARGET_PORT + np.concatenate([markers.BIG, markers.SMALL])
         self._live = np.ones(batch, dtype=bool)
         self._reason = np.full(batch, '', dtype='U8')

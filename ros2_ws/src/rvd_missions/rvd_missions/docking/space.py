@@ -19,6 +19,7 @@ from rvd_dynamics.world.spacecraft.reaction_control import (
 from rvd_dynamics.world.spacecraft.spacecraft import Spacecraft
 from rvd_missions.docking import markers
 from rvd_missions.docking.commands import ValveForm
+from rvd_missions.docking.scatter import drawn, Scatter
 from rvd_missions.docking.settings import Chaser, ended, faces, OrbitParams, Panels, Start, Tanks
 from rvd_missions.docking.signals import (
     FEATURES, INERTIAL, MARKERS, POSE, STATIONS, TRUTH)
@@ -79,18 +80,20 @@ class Dynamics:
 
     def __init__(self, settings: DynamicsParams, run: Run, craft: Spacecraft, chaser: Chaser,
                  start: Start, form: ValveForm, thruster: ThrusterParams, camera: CameraParams,
-                 panels: Panels, scatter: NDArray, pulses: NDArray, batch: tuple) -> None:
-        self._run, self._craft, self._batch = run, craft, batch
-        self._centre = np.array(chaser.centre_m)
+                 panels: Panels, scatter: Scatter, start_scatter: NDArray, pulses: NDArray,
+                 properties: NDArray, batch: tuple) -> None:
+        own = drawn(scatter, craft, chaser, properties)
+        craft = own.craft
+        self._run, self._craft, self._batch, self._centre = run, craft, batch, own.centre
         rows = int(np.prod(batch, dtype=int))
-        scatter = np.reshape(scatter, (rows, 9))
-        place = start.position_m + start.position_sigma_m*scatter[:, :3]
+        shifts = np.reshape(start_scatter, (rows, 9))
+        place = start.position_m + start.position_sigma_m*shifts[:, :3]
         q = attitude.from_euler(np.radians(
-            start.attitude_deg + start.attitude_sigma_deg*scatter[:, 3:6]))
+            start.attitude_deg + start.attitude_sigma_deg*shifts[:, 3:6]))
         still = attitude.rotate_back(q, np.array([0.0, -craft.mean_motion, 0.0]))
         self._state = craft.state(
             rows, position=place, attitude=q,
-            rate=still + np.radians(start.rate_sigma_deg_s)*scatter[:, 6:])
+            rate=still + np.radians(start.rate_sigma_deg_s)*shifts[:, 6:])
         nominal = features(camera, ImageParams(corner_sigma_px=0.0),
                            markers.TARGET_PORT + markers.BIG, markers.FACING, start.position_m,
                            attitude.from_euler(np.radians(start.attitude_deg)),
@@ -100,7 +103,8 @@ class Dynamics:
                          round(settings.failure_at_s/run.step_s), settings.failure_factor)
         self._control = ReactionControl(
             form.thrusters, thruster, run.step_s, settings.sub_steps,
-            np.reshape(pulses, (rows, -1)), self._centre, chaser.thrust_scale, (failed,))
+            np.reshape(pulses, (rows, -1)), self._centre,
+            chaser.thrust_scale*own.thrust, (failed,))
         self._at = {name: where for name, (where, _) in craft.states.items()}
         self._shapes = beam_shapes(panels.modes, STATIONS)/np.sqrt(panels.mass_kg)
         self._spent = np.zeros(rows)
@@ -172,9 +176,11 @@ class Camera:
     """The camera: markers in the image, as they were when it was exposed."""
 
     def __init__(self, settings: SeeingParams, camera: CameraParams, chaser: Chaser,
-                 late: int, period: int, views: NDArray) -> None:
+                 scatter: Scatter, craft: Spacecraft, late: int, period: int, views: NDArray,
+                 properties: NDArray, batch: tuple) -> None:
         self._settings, self._camera, self._late = settings, camera, late
-        self._centre = np.array(chaser.centre_m)
+        self._centre, self._mounted = _mounted(settings, drawn(scatter, craft, chaser, properties),
+                                               batch)
         self._normals, self._chance = _by_view(views)
         self._period = period
         self._points = markers.TARGET_PORT + np.concatenate([markers.BIG, markers.SMALL])
@@ -185,21 +191,26 @@ class Camera:
         row = k//self._period
         normals = self._normals[..., row, :].reshape((*turn.shape[:-1], len(self._points), 2))
         pixels = features(self._camera, self._settings.image, self._points, markers.FACING,
-                          offset, turn, normals, self._chance[..., row])
+                          offset, turn, normals, self._chance[..., row], *self._mounted)
         return {'features': FEATURES(pixels=pixels, exposed=np.int64(k - self._late))}
 
 
 class SimpleCamera:
     """A camera that gives a pose with noise of a fixed size."""
 
-    def __init__(self, settings: SeeingParams, chaser: Chaser, late: int, period: int,
-                 views: NDArray) -> None:
+    def __init__(self, settings: SeeingParams, camera: CameraParams, chaser: Chaser,
+                 scatter: Scatter, craft: Spacecraft, late: int, period: int, views: NDArray,
+                 properties: NDArray, batch: tuple) -> None:
         self._late, self._period = late, period
         self._normals, self._chance = _by_view(views)
         self._drop_out = settings.image.drop_out
         self._place = settings.noise.simple_place_sigma_m
         self._angle = np.radians(settings.noise.simple_angle_sigma_deg)
-        self._centre = np.array(chaser.centre_m)
+        self._centre, (turned, moved) = _mounted(
+            settings, drawn(scatter, craft, chaser, properties), batch)
+        self._off = bool(np.any(turned) or np.any(moved))
+        self._tilt = attitude.from_rotation_vector(np.radians(turned))
+        self._lens = np.array(camera.place_m), np.array(camera.place_m) + moved
         self._covariance = np.diag([self._place**2]*3 + [self._angle**2]*3)
 
     def step(self, k: int, truth: Any) -> dict[str, Any]:
@@ -208,8 +219,12 @@ class SimpleCamera:
         row = k//self._period
         normals = self._normals[..., row, :]
         lost = (self._chance[..., row, np.newaxis] < self._drop_out) | ~np.isfinite(offset[..., :1])
-        place = attitude.rotate_back(turn, markers.TARGET_PORT - offset) \
-            + self._place*normals[..., :3]
+        place = attitude.rotate_back(turn, markers.TARGET_PORT - offset)
+        if self._off:                           # seen from where it is, taken for where it should be
+            thought, really = self._lens
+            place = attitude.rotate_back(self._tilt, place - really) + thought
+            turn = attitude.multiply(turn, self._tilt)
+        place = place + self._place*normals[..., :3]
         seen = attitude.multiply(turn, attitude.from_rotation_vector(
             self._angle*normals[..., 3:6]))
         usable = np.where(lost[..., 0], 0, len(markers.BIG))
@@ -217,6 +232,14 @@ class SimpleCamera:
             place=np.where(lost, np.nan, place), turn=np.where(lost, np.nan, seen),
             covariance=np.broadcast_to(self._covariance, (*offset.shape[:-1], 6, 6)),
             usable=usable, exposed=np.int64(k - self._late))}
+
+
+def _mounted(settings: SeeingParams, own: Any, batch: tuple) -> tuple[NDArray, tuple]:
+    """Return the craft's centre (*batch, 3), and how the camera is turned [deg] and moved [m]."""
+    def shaped(rows: NDArray) -> NDArray:
+        return rows.reshape((*batch, 3))
+    return shaped(own.centre), (shaped(settings.image.alignment_deg + own.alignment),
+                                shaped(settings.image.offset_m + own.camera))
 
 
 def _by_view(views: NDArray) -> tuple[NDArray, NDArray]:

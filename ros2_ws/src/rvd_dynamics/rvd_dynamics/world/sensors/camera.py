@@ -33,7 +33,8 @@ class ImageParams:
 
 
 def features(camera: CameraParams, image: ImageParams, markers: ArrayLike, facing: ArrayLike,
-             offset: ArrayLike, turn: ArrayLike, normals: ArrayLike, uniform: ArrayLike) -> Array:
+             offset: ArrayLike, turn: ArrayLike, normals: ArrayLike, uniform: ArrayLike,
+             alignment_deg: ArrayLike | None = None, offset_m: ArrayLike | None = None) -> Array:
     """
     Return the markers in the image, (..., M, 2) [px]; NaN where one is not seen.
 
@@ -49,11 +50,15 @@ def features(camera: CameraParams, image: ImageParams, markers: ArrayLike, facin
         True attitude of the craft relative to the target.
     normals : array_like, shape (..., M, 2)
     uniform : array_like, shape (...)
+    alignment_deg, offset_m : array_like, shape (..., 3)
+        How the camera is mounted, in place of what `image` says.
     """
     markers = np.asarray(markers, dtype=float)
     turn = np.asarray(turn, dtype=float)
-    place = np.array(camera.place_m) + np.array(image.offset_m)
-    tilt = attitude.from_rotation_vector(np.radians(image.alignment_deg))
+    alignment_deg = image.alignment_deg if alignment_deg is None else alignment_deg
+    offset_m = image.offset_m if offset_m is None else offset_m
+    place = np.array(camera.place_m) + np.asarray(offset_m, dtype=float)
+    tilt = attitude.from_rotation_vector(np.radians(alignment_deg))
     eye = np.asarray(offset, dtype=float) + attitude.rotate(turn, np.broadcast_to(
         place, (*turn.shape[:-1], 3)))
     sight = markers - eye[..., np.newaxis, :]                   # target axes

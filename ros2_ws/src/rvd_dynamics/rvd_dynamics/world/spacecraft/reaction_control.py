@@ -80,7 +80,7 @@ class ReactionControl:
         Standard normal draws: two errors of direction and PULSES amplitudes for each thruster.
     centre : array_like, shape (..., 3)
         True centre of mass [m].
-    scale : array_like, shape (N,) or ()
+    scale : array_like, shape (N, T), (N,) or ()
         True thrust as a fraction of the nominal one.
     failures : list of Failure
         The same in all rows.
@@ -96,8 +96,10 @@ class ReactionControl:
         self._flow = thrusters.force/(settings.specific_impulse_s*G0)          # [kg/s]
         self._step_s = step_s
         self._columns = _columns(thrusters, settings.direction_sigma*drawn[..., :2], centre)
-        scale = np.broadcast_to(np.asarray(scale, dtype=float), (rows,))
-        self._amplitudes = np.maximum(scale[:, np.newaxis, np.newaxis]*(
+        scale = np.asarray(scale, dtype=float)
+        if scale.ndim < 2:
+            scale = np.broadcast_to(scale, (rows,))[:, np.newaxis]
+        self._amplitudes = np.maximum(scale[:, :, np.newaxis]*(
             1.0 + settings.amplitude_sigma*drawn[..., 2:]), 0.0)
         self._kinds, self._since, self._factor = _failing(failures, rows, count)
         self._least_on = ceil(settings.least_on_s/step_s - 1e-9)
