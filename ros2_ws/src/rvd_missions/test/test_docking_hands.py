@@ -329,8 +329,9 @@ def _shipped(folder, name):
 
 @pytest.mark.parametrize('shared, sections, words', [
     ('operator: model', {}, 'operator model needs steering aboard or remote, got profile'),
-    ('steering: aboard', {}, 'steering aboard needs an operator: model, replay or joy, got none'),
-    ('steering: remote, operator: console', {}, 'operator console: the page has no two hand'),
+    ('steering: aboard', {}, 'steering aboard needs an operator: model, replay, console or joy'),
+    ('steering: remote, operator: model, planner: polynomial', {}, 'polynomial needs steering'),
+    ('steering: remote, operator: console, joy_input: held', {}, 'held needs pace realtime'),
     ('steering: aboard, operator: joy, joy_input: held', {}, 'joy_input held needs pace realtime'),
     ('steering: aboard, operator: replay', {}, 'operator replay needs a tape'),
     ('steering: aboard, operator: model, hand: {pulse_s: 0.02}', {}, 'pulse_s'),

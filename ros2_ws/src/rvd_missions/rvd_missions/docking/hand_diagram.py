@@ -59,10 +59,14 @@ def others(scenario: Scenario) -> tuple[Block, ...]:
 def externals(scenario: Scenario) -> tuple[External, ...]:
     """Return who publishes the controllers from outside of the run."""
     operation = scenario.part('operation')
-    if not (operation.by_hand and operation.operator == 'joy'):
-        return ()
-    return (External('hand_controllers', '', '', GROUND, started=False, foreign=True,
-                     writes=tuple(signal.name for signal in CONTROLLERS.values())),)
+    writes = tuple(signal.name for signal in CONTROLLERS.values())
+    drivers = {
+        'joy': External('hand_controllers', '', '', GROUND, started=False, foreign=True,
+                        writes=writes),
+        'console': External('console', 'rvd_groundstation', 'console', GROUND, writes=writes),
+    }
+    driver = drivers.get(operation.operator) if operation.by_hand else None
+    return () if driver is None else (driver,)
 
 
 def _controllers(scenario: Scenario) -> dict[str, Read]:

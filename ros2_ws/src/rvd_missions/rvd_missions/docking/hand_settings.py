@@ -23,8 +23,8 @@ class Steering:
         'craft, remote ones on the ground, through the link.', choices=STEERINGS)
     operator: str = param(
         'none', 'Who holds the hand controllers: model is a pilot model, replay a tape, joy any '
-        'node that publishes /joy/translation and /joy/rotation, none nobody; with steering '
-        'profile console is the browser, to watch.',
+        'node that publishes /joy/translation and /joy/rotation, console the browser, which '
+        'watches with steering profile; none is nobody.',
         choices=('model', 'replay', 'console', 'joy', 'none'))
     joy_input: str = param(
         'stepped', 'How the controllers are read: stepped takes one Joy for each step, held the '
@@ -75,11 +75,8 @@ def steered(operation: Steering, run: Run, hand: HandParams, planner: Any) -> St
         raise BadInput(f'planner {planner.planner} needs steering profile: nobody tracks its plan '
                        f'by hand, got {operation.steering}')
     if operation.operator == 'none':
-        raise BadInput(f'steering {operation.steering} needs an operator: model, replay or joy, '
-                       'got none')
-    if operation.operator == 'console':
-        raise BadInput('operator console: the page has no two hand controllers; take operator joy '
-                       'and a node that publishes /joy/translation and /joy/rotation')
+        raise BadInput(f'steering {operation.steering} needs an operator: model, replay, console '
+                       'or joy, got none')
     return checked(operation, run)
 
 
