@@ -29,8 +29,8 @@ ONBOARD = ['rvd_dynamics.onboard']
 # What the ground may use of rvd_dynamics: mathematics and vocabulary of both sides. The craft, the
 # world, and what the link does on the way it knows through frames alone.
 SHARED = [f'rvd_dynamics.{top}' for top in (
-    'bad_input', 'constants', 'frames', 'motion', 'geometry', 'commands', 'link.frame', 'link.signals',
-    'diagram', 'lifeline', 'recording.messages', 'recording.whole')]
+    'bad_input', 'compiled', 'constants', 'frames', 'motion', 'geometry', 'commands', 'link.frame',
+    'link.signals', 'diagram', 'lifeline', 'recording.messages', 'recording.whole')]
 NOT_GROUND = [*WORLD, *ONBOARD, *(f'rvd_dynamics.link.{part}' for part in (
     'models', 'plan', 'play_out', 'channel', 'leg'))]
 RUNTIME = ['rvd_dynamics.diagram.ros']          # runs blocks of any segment
