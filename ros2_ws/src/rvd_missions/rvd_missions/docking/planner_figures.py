@@ -22,7 +22,7 @@ def planners(results: Any) -> tuple['Canvas', str]:
     """Draw each run of each condition as a point, and the medians."""
     figure = canvas(4.6, top=0.3, hspace=0.35, wspace=0.28)
     panels = figure.subplots(2, 2).ravel()
-    names = [condition.name for condition in results.conditions]
+    names = list(results.tables)
     for axes, (column, (scale, label)) in zip(panels, DRAWN.items()):
         for i, name in enumerate(names):
             values = scale*np.asarray(results.tables[name][column], dtype=float)
