@@ -26,6 +26,8 @@ MISSION = Mission(
         Shared('camera', 'rvd_dynamics.geometry.pinhole:CameraParams', 'camera.'),
         Shared('planner', f'{HERE}.planning:PlannerParams'),
         Shared('closing', f'{HERE}.planning:ClosingTask', 'closing.'),
+        Shared('stereo', f'{HERE}.stereo_signals:StereoParams', 'stereo.'),
+        Shared('rendering', 'rvd_dynamics.geometry.markers:RenderingParams', 'rendering.'),
         Shared('thruster', 'rvd_dynamics.world.spacecraft.reaction_control:ThrusterParams',
                'thruster.'),
         Shared('operation', f'{HERE}.hand_settings:Steering'),
@@ -59,6 +61,8 @@ MISSION = Mission(
         'tape': f'{HERE}.ground:tape',
         'frames': f'{HERE}.standard:frames',
         'craft_model': f'{HERE}.hand_prediction:craft_model',
+        'cameras': f'{HERE}.stereo_signals:cameras',
+        'marker_radii': f'{HERE}.stereo_signals:radii',
         'preparation': f'{HERE}.planning:planned',
     },
     checked=('timed', 'period', 'late', 'legs', 'steered', 'preparation'),
@@ -66,4 +70,5 @@ MISSION = Mission(
     judge=f'{HERE}.judge:Judge',
     figures=f'{HERE}.figures:FIGURES',
     display=f'{HERE}.display:display',
+    campaign_figures=f'{HERE}.planner_figures:FIGURES',
 )

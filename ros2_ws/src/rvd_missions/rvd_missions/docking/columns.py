@@ -7,18 +7,22 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rvd_dynamics.diagram.run import Run
 from rvd_dynamics.motion import attitude
 from rvd_dynamics.world.spacecraft.spacecraft import Spacecraft
 from rvd_missions.docking.scatter import drawn, Scatter
 from rvd_missions.docking.settings import Chaser
+from rvd_missions.docking.plan_columns import FlownMargins
+from rvd_missions.docking.planning import Preparation
 
 
 class Columns:
     """Root mean squares over each run, from the first estimate on; nothing is judged by them."""
 
     def __init__(self, scatter: Scatter, craft: Spacecraft, chaser: Chaser, properties: NDArray,
-                 batch: tuple) -> None:
+                 preparation: Preparation, run: Run, batch: tuple) -> None:
         self._redrawn = drawn(scatter, craft, chaser, properties).redrawn.reshape(batch)
+        self._margins = FlownMargins(preparation, run, batch)
         self._ended = np.zeros(batch, dtype=bool)
         self._place, self._speed, self._angle, self._count = np.zeros((4, *batch))
         self._nis, self._views = np.zeros((*batch, 2)), np.zeros(batch)
@@ -39,6 +43,7 @@ class Columns:
         self._views = self._views + seen
         self._safety = np.where(self._ended, self._safety,
                                 np.maximum(self._safety, guidance.safety))
+        self._margins.step(k, truth, ~self._ended)
         self._ended = self._ended | truth.final
         return {}
 
@@ -50,4 +55,5 @@ class Columns:
                     'nav_attitude_error_deg': np.degrees(np.sqrt(self._angle/n)),
                     'nis_attitude': self._nis[..., 0]/self._views,
                     'nis_position': self._nis[..., 1]/self._views,
-                    'safety_state': self._safety, 'redrawn': self._redrawn, 'steps': end_step}
+                'safety_state': self._safety.astype(np.int64), 'redrawn': self._redrawn,
+                'steps': end_step, **self._margins.table()}

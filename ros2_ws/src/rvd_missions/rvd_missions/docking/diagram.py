@@ -23,32 +23,23 @@ from rvd_missions.docking.plan_signals import ARRIVAL, DOWNLINK, TELEMETRY, UPLI
 from rvd_missions.docking.scatter import PROPERTIES
 from rvd_missions.docking.signals import (
     ESTIMATE, FEATURES, GUIDANCE, INERTIAL, MARKERS, POSE, THRUST, TRUTH, WANTED)
+from rvd_missions.docking.stereo_signals import CAMERAS, SPOTS, STEREO
 
 PACKAGE = 'rvd_missions'
 PULSE_DRAWS = COUNT*130                 # reaction_control.DRAWS for each thruster
 VIEW_DRAWS = 2*MARKERS + 1              # space.VIEW_DRAWS
+STEREO_DRAWS = CAMERAS*2*MARKERS + 1    # space_stereo's
+RENDERED_DRAWS = CAMERAS*2 + 1
 
 
 def diagram(scenario: Scenario) -> Diagram:
     """Return the blocks of a run; the camera changes the edges."""
     settings = scenario.mission.sections
-    period, late = scenario.part('period'), scenario.part('late')
-    views = scenario.run.last_step//period + 1
-    pinhole = scenario.part('seeing').camera == 'pinhole'
 
     def block(name: str, make: str, segment: str, **more) -> Block:
         return Block(name, f'{HERE}.{make}', segment, package=PACKAGE,
                      settings=settings[name], **more)
 
-    seen = {'draws': {'views': StartNormals('docking/camera/views', views*VIEW_DRAWS),
-                      'properties': PROPERTIES},
-            'reads': {'truth': Read(TRUTH, late)}, 'period': period}
-    camera = (
-        block('camera', 'space:Camera', WORLD, writes={'features': FEATURES}, **seen),
-        block('vision', 'onboard:Vision', ONBOARD, reads={'features': now(FEATURES)},
-              writes={'pose': POSE}, period=period),
-    ) if pinhole else (
-        block('camera', 'space:SimpleCamera', WORLD, writes={'pose': POSE}, **seen),)
     if scenario.part('operation').by_hand:
         flown = (hand_diagram.controller(scenario), *hand_diagram.others(scenario))
     else:
@@ -63,7 +54,7 @@ def diagram(scenario: Scenario) -> Diagram:
               writes={'inertial': INERTIAL}, draws={
                   'bias': StartNormals('docking/inertial/bias', 6),
                   'noise': Normals('docking/inertial/noise', 9)}),
-        *camera,
+        *_seeing(scenario, block),
         block('docking_navigation', 'onboard:Navigation', ONBOARD,
               reads={'inertial': now(INERTIAL), 'pose': last(POSE)},
               writes={'estimate': ESTIMATE}),
@@ -77,6 +68,28 @@ def diagram(scenario: Scenario) -> Diagram:
         *standard.blocks(scenario),
     ), plant='docking_dynamics', guard='onboard_guard', thrust=THRUST.name,
         externals=hand_diagram.externals(scenario))
+
+
+def _seeing(scenario: Scenario, block: Callable[..., Block]) -> tuple[Block, ...]:
+    """Return the camera, and what makes poses of its images if it does not do so itself."""
+    period, late = scenario.part('period'), scenario.part('late')
+    views = scenario.run.last_step//period + 1
+    kind = scenario.part('seeing').camera
+    made, signal, solved, draws = {
+        'simple': ('space:SimpleCamera', POSE, '', VIEW_DRAWS),
+        'pinhole': ('space:Camera', FEATURES, 'onboard:Vision', VIEW_DRAWS),
+        'stereo': ('space_stereo:StereoCamera', STEREO, 'onboard_stereo:Stereo', STEREO_DRAWS),
+        'rendered': ('space_stereo:RenderedCamera', SPOTS, 'onboard_stereo:Images', RENDERED_DRAWS),
+    }[kind]
+    name = {POSE: 'pose', SPOTS: 'blobs'}.get(signal, 'features')
+    camera = block('camera', made, WORLD, writes={name: signal}, reads={'truth': Read(TRUTH, late)},
+                   period=period,
+                   draws={'views': StartNormals('docking/camera/views', views*draws),
+                          'properties': PROPERTIES})
+    if not solved:
+        return (camera,)
+    return (camera, block('vision', solved, ONBOARD, reads={name: now(signal)},
+                          writes={'pose': POSE}, period=period))
 
 
 def _guided(scenario: Scenario, block: Callable[..., Block]) -> tuple[Block, ...]:

@@ -20,6 +20,7 @@ from rvd_dynamics.onboard.navigation.filters import FilterParams, Navigation as 
 from rvd_dynamics.onboard.navigation.vision import Vision as Poses, VisionParams
 from rvd_missions.docking import markers
 from rvd_missions.docking.commands import ValveForm
+from rvd_missions.docking.golden import GoldenLoopParams, GoldenLoops
 from rvd_missions.docking.profile import Profile, ProfileParams
 from rvd_missions.docking.safety import ABORT, HOLD, RETREAT, Safety, SafetyParams
 from rvd_missions.docking.settings import Aim, OrbitParams
@@ -87,6 +88,8 @@ class ControllerParams:
     profile: ProfileParams = param(ProfileParams, 'The way to the port.')
     position: LoopParams = param(LoopParams, 'Loops of the position.')
     attitude: AttitudeLoopParams = param(AttitudeLoopParams, 'Loops of the attitude.')
+    attitude_law: str = param('pid', 'Law of the attitude.', choices=('pid', 'golden_section'))
+    golden_section: GoldenLoopParams = param(GoldenLoopParams, 'Settings of golden_section.')
     allocation: str = param('table', 'How thrusters are chosen.', choices=tuple(WAYS))
     failed: tuple = param((-1,), 'Numbers of thrusters known to have failed; -1 is none.', low=-1,
                           high=36)
@@ -106,6 +109,9 @@ class Controller:
                            run.step_s)
         rows = int(np.prod(batch, dtype=int))
         self._loops = SixLoops(s.position, s.attitude, run.step_s, (rows,))
+        if s.attitude_law == 'golden_section':
+            self._loops = GoldenLoops(s.golden_section, self._loops, s.attitude.modulator,
+                                      AUTHORITY[3:]/NOMINAL_INERTIA, run.step_s, rows)
         self._settings, self._form, self._n = s, form, orbit.mean_motion
         failed = np.isin(np.arange(len(form.thrusters)), s.failed)
         turn = ('J3',) if s.allocation == 'table' else ('J3', 'J4')

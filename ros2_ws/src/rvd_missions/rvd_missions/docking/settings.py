@@ -180,8 +180,9 @@ def timed(limits: Limits, aim: Aim, run: Run) -> Limits:
 class Seeing:
     """Which camera there is, and when it sees."""
 
-    camera: str = param('pinhole', 'Camera: pinhole gives markers in the image, simple a pose.',
-                        choices=('pinhole', 'simple'))
+    camera: str = param('pinhole', 'Camera: pinhole gives markers in the image, simple a pose, '
+                        'stereo markers in two images, rendered two images that are searched.',
+                        choices=('pinhole', 'simple', 'stereo', 'rendered'))
     period_s: float = param(0.1, 'Time between two views [s].', above=0.0, high=10.0)
     latency_s: float = param(0.05, 'Time from a view to what comes of it [s].', low=0.0, high=10.0)
 

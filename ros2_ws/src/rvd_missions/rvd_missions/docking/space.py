@@ -179,8 +179,8 @@ class Camera:
                  scatter: Scatter, craft: Spacecraft, late: int, period: int, views: NDArray,
                  properties: NDArray, batch: tuple) -> None:
         self._settings, self._camera, self._late = settings, camera, late
-        self._centre, self._mounted = _mounted(settings, drawn(scatter, craft, chaser, properties),
-                                               batch)
+        self._centre, self._mounted = mounted(
+            settings, drawn(scatter, craft, chaser, properties), batch)
         self._normals, self._chance = _by_view(views)
         self._period = period
         self._points = markers.TARGET_PORT + np.concatenate([markers.BIG, markers.SMALL])
@@ -206,7 +206,7 @@ class SimpleCamera:
         self._drop_out = settings.image.drop_out
         self._place = settings.noise.simple_place_sigma_m
         self._angle = np.radians(settings.noise.simple_angle_sigma_deg)
-        self._centre, (turned, moved) = _mounted(
+        self._centre, (turned, moved) = mounted(
             settings, drawn(scatter, craft, chaser, properties), batch)
         self._off = bool(np.any(turned) or np.any(moved))
         self._tilt = attitude.from_rotation_vector(np.radians(turned))
@@ -234,7 +234,7 @@ class SimpleCamera:
             usable=usable, exposed=np.int64(k - self._late))}
 
 
-def _mounted(settings: SeeingParams, own: Any, batch: tuple) -> tuple[NDArray, tuple]:
+def mounted(settings: SeeingParams, own: Any, batch: tuple) -> tuple[NDArray, tuple]:
     """Return the craft's centre (*batch, 3), and how the camera is turned [deg] and moved [m]."""
     def shaped(rows: NDArray) -> NDArray:
         return rows.reshape((*batch, 3))
