@@ -50,7 +50,7 @@ class Relaxation:
         p, count = self._programme, len(self._bounds)
         slack = ca.SX.sym('slack', count)
         low_x, high_x, (low_g, high_g) = lower.copy(), upper.copy(), (s.copy() for s in sides)
-        more, low_more, high_more = [], [], []
+        more, low_more, high_more, rows = [], [], [], []
         for i, bound in enumerate(self._bounds):
             values = p.constraints if bound.constraint else p.unknowns
             low, high = (low_g, high_g) if bound.constraint else (low_x, high_x)
@@ -60,13 +60,17 @@ class Relaxation:
                 for side, sign in ((low, 1.0), (high, -1.0)):
                     if np.isfinite(side[j]):
                         more.append(values[int(j)] + sign*slack[i])
+                        rows.append((bound.constraint, int(j), i, sign))
                         low_more.append(side[j] if sign > 0.0 else -np.inf)
                         high_more.append(side[j] if sign < 0.0 else np.inf)
                 low[j], high[j] = -np.inf, np.inf
+        unknowns, constraints = ca.vertcat(p.unknowns, slack), ca.vertcat(p.constraints, *more)
+        slopes = ca.Function('nlp_jac_g', [unknowns, p.given],
+                             [constraints, self._slopes(rows)], ['x', 'p'], ['g', 'jac_g_x'])
         solver = ca.nlpsol('relaxed', 'ipopt', {
-            'x': ca.vertcat(p.unknowns, slack), 'p': p.given,
-            'f': ca.sum1(slack) + PREFERENCE*p.guessed,
-            'g': ca.vertcat(p.constraints, *more)}, {
+            'x': unknowns, 'p': p.given, 'f': ca.sum1(slack) + PREFERENCE*p.guessed,
+            'g': constraints}, {
+                'jac_g': slopes,
                 'ipopt.print_level': 0, 'ipopt.sb': 'yes', 'print_time': False,
                 'ipopt.tol': 1e-7, 'ipopt.max_iter': 1000, 'error_on_fail': False,
                 'ipopt.mu_strategy': 'adaptive', 'show_eval_warnings': False})
@@ -89,6 +93,31 @@ class Relaxation:
             raise BadInput(_refusal(worst, (values if worst.constraint else found)[worst.where],
                                     others))
         return found[:len(start)]
+
+    def _slopes(self, rows: list[tuple]) -> Any:
+        """
+        Return the Jacobian of the constraints and of the relaxed rows below them.
+
+        Put together of what is known: casadi's own search for its structure takes seconds. A row is
+        (of the constraints or of the unknowns, index there, slack, its sign).
+        """
+        import casadi as ca
+        p, count = self._programme, len(self._bounds)
+        size = p.unknowns.shape[0]
+        parts, at = [ca.horzcat(p.slopes, ca.DM(p.slopes.shape[0], count))], 0
+        while at < len(rows):                   # runs of rows of one kind
+            end = at
+            while end < len(rows) and rows[end][0] == rows[at][0]:
+                end += 1
+            run, n = rows[at:end], end - at
+            which = [j for _, j, _, _ in run]
+            left = p.slopes[which, :] if run[0][0] else ca.DM.triplet(
+                list(range(n)), which, ca.DM.ones(n), n, size)
+            right = ca.DM.triplet(list(range(n)), [i for *_, i, _ in run],
+                                  ca.DM([sign for *_, sign in run]), n, count)
+            parts.append(ca.horzcat(left, right))
+            at = end
+        return ca.vertcat(*parts)
 
 
 def _refusal(bound: Bound, scaled: NDArray, others: list[str]) -> str:

@@ -27,6 +27,9 @@ from rvd_groundstation.planning.problem import Problem
 FREE = np.nan                           # of an initial or final value: to be found
 TOLERANCE = 1e-10                       # of ipopt, on the scaled programme
 MOST_ITERATIONS = 400
+# What can be found from a straight line takes up to 100 iterations; what cannot uses up all it gets.
+# So the search for what is in the way begins after these, and a feasible point gets all of them.
+FIRST_ITERATIONS = 150
 # A start from a plan that is nearly right: the barrier begins small, and nothing is pushed away
 # from its bound.
 WARM = {'warm_start_init_point': 'yes', 'mu_init': 1e-6, 'warm_start_bound_push': 1e-7,
@@ -68,7 +71,7 @@ class Solver:
         self._x_scale = np.array([q.scale for q in problem.states])
         self._u_scale = np.array([q.scale for q in problem.controls])
         self._programme = self._transcribed()
-        self._cold = self._built('cold', self._programme)
+        self._cold = self._built('cold', self._programme, {'max_iter': FIRST_ITERATIONS})
 
     # -- solving ----------------------------------------------------------------------------------
 
@@ -110,7 +113,7 @@ class Solver:
         found = self._run(self._cold, start, lower, upper, given)
         if found is None:               # nothing to satisfy, or only a bad place to begin?
             start = self._feasible(start, lower, upper, given)
-            found = self._run(self._cold, start, lower, upper, given)
+            found = self._run(self._patient, start, lower, upper, given)
         if found is None:
             raise BadInput(f'no plan found on {self.count} nodes: every constraint can be met, but '
                            f'ipopt ended with {self._status}; another number of nodes may help')
@@ -297,9 +300,19 @@ class Solver:
     @cached_property
     def _warm(self) -> Any:
         """The same programme for a start from a plan that is nearly right."""
+        return self._built('warm', self._programme, {**WARM, 'mu_strategy': 'monotone'},
+                           self._derived)
+
+    @cached_property
+    def _patient(self) -> Any:
+        """The same programme with all iterations there are."""
+        return self._built('patient', self._programme, of=self._derived)
+
+    @property
+    def _derived(self) -> dict:
+        """Derivatives that are built already, by option."""
         derived = {'grad_f': 'nlp_grad_f', 'hess_lag': 'nlp_hess_l'}
-        return self._built('warm', self._programme, {**WARM, 'mu_strategy': 'monotone'}, {
-            option: self._cold.get_function(name) for option, name in derived.items()})
+        return {option: self._cold.get_function(name) for option, name in derived.items()}
 
     # -- what is in the way -----------------------------------------------------------------------
 

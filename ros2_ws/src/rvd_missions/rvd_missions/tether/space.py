@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rvd_dynamics.diagram.params import param, settings
+from rvd_dynamics.diagram.params import param, require, settings
 from rvd_dynamics.diagram.run import Run
 from rvd_missions.tether import geometry
 from rvd_missions.tether.end import ended
@@ -40,6 +40,11 @@ class DynamicsParams:
     elastic: bool = param(
         False, 'Whether the tether is elastic and the reel controls its tension; otherwise the '
         'tension is what is commanded.')
+    beads: int = param(
+        0, 'Number of pieces of the whole tether, each with its mass in a bead at its inner end; the '
+        'piece at the reel has none yet, so 1 is no mass, as is 0.', low=0, high=64)
+    density_kg_m3: float = param(
+        1440.0, 'Density of the tether where it has a mass, aramid [kg/m^3].', above=0.0)
     reel: ReelParams = param(ReelParams, 'The elastic tether and its reel.')
     baseline_error_m: float = param(
         0.0, 'True distance from platform to target at the start minus the assumed one [m].')
@@ -57,6 +62,10 @@ class DynamicsParams:
         0.0, 'Standard deviation of the rate at the start, about each axis [rad/s].', low=0.0)
     disturbance_n: tuple = param(
         (0.0, 0.0, 0.0), 'Constant disturbing force, inertial axes of the start [N].', length=3)
+
+    def __post_init__(self) -> None:
+        require(not (self.elastic and self.beads), 'beads', 'be 0 with elastic: the reel of a tether '
+                'with mass holds the tension that is commanded', self.beads)
 
 
 @settings
@@ -106,6 +115,7 @@ class GripperDynamics:
                                tether.least_n, strain], (rows, 1))
         reel = settings.reel
         self._reel = np.array([tether.stiffness_n, reel.damping_n_s, reel.gain_m_s_n, reel.reset_s])
+        self._chain = Chain(settings, run, tether, approach, rows) if settings.beads else None
         self._applied = np.full((*batch, 7), np.nan)
         self._now = self._orbit_at(0.0)
 
@@ -127,6 +137,10 @@ class GripperDynamics:
         h = self._h
         orbit = np.array([self._now, self._orbit_at(t + 0.5*h), self._orbit_at(t + h)])
         self._now = orbit[2]
+        if self._chain is not None:
+            self._states, self._reels = self._chain.advance(
+                self._states, commands, orbit, self._craft)
+            return
         if self._settings.elastic:
             self._states, self._reels = self._motion.advance_elastic(
                 self._states, self._reels, commands, orbit, self._craft, self._reel, h,
@@ -145,6 +159,32 @@ class GripperDynamics:
         turn = now.anomaly - self._orbit.at(0.0).anomaly
         g = self._orbit.gravitational_parameter_m3_s2/(now.radius*now.radius*now.radius)
         return np.array([g, np.sin(turn), np.cos(turn)])
+
+
+class Chain:
+    """The beads of N tethers; see `beads`. A piece is the whole tether over their number."""
+
+    def __init__(self, settings: DynamicsParams, run: Run, tether: TetherParams,
+                 approach: ApproachParams, rows: int) -> None:
+        from rvd_missions.tether import beads
+        self._compiled, self._h = beads, run.step_s
+        piece = (approach.baseline_m - approach.final_range_m)/settings.beads
+        area = tether.stiffness_n/tether.modulus_pa
+        self.tether = np.array([tether.stiffness_n, settings.reel.damping_n_s, piece,
+                                settings.density_kg_m3*area])
+        self._parts = beads.parts_of(run.step_s, piece, tether.stiffness_n, self.tether[3])
+        self.beads = np.zeros((rows, 2*settings.beads, 6))
+        self.counts = np.zeros(rows, dtype=np.int64)
+
+    def advance(self, states: NDArray, commands: NDArray, orbit: NDArray,
+                craft: NDArray) -> tuple[NDArray, NDArray]:
+        """Return states (N, 13) after a step, and reels (N, 4) as `motion.advance_elastic`."""
+        states, self.beads, self.counts, found = self._compiled.advance(
+            states, self.beads, self.counts, commands, orbit, craft, self.tether, self._h,
+            self._parts)
+        length, tension = found.T
+        return states, np.stack([length, np.zeros_like(length), tension,
+                                 tension/self.tether[0]], axis=1)
 
 
 class GripperSensors:

@@ -20,9 +20,9 @@ def delays(results: Any) -> tuple['Canvas', str]:
     figure = canvas(6.6, top=0.5, hspace=0.14)
     panels = figure.subplots(len(DRAWN), 1, sharex=True)
     groups: dict[str, list] = {}
-    for condition in results.shown:
+    for condition in results.campaign.conditions:
         legs = condition.scenario.part('legs')
-        groups.setdefault(condition.name.split(',')[0], []).append(
+        groups.setdefault(condition.group, []).append(
             (legs.loop*legs.step_s, results.tables[condition.name]))
     for (name, found), (colour, style, marker) in zip(groups.items(), LINES):
         found.sort(key=lambda pair: pair[0])
@@ -45,4 +45,4 @@ def delays(results: Any) -> tuple['Canvas', str]:
                     '95 %, over the delay of forward and back leg together.')
 
 
-FIGURES = {'delays': CampaignFigure(delays, 'What a late order costs')}
+FIGURES = {'delays': CampaignFigure(delays, 'What a late order costs', columns=tuple(DRAWN))}

@@ -19,7 +19,7 @@ WORDS = ('on the latch', 'under way', 'brakes', 'stands', 'arrived', 'aborted')
 
 def decisions(run: Recording) -> 'Canvas':
     """Draw the distance to the target, as it was and as it was shown, and what was done."""
-    figure = canvas(4.4, top=0.3, hspace=0.12)
+    figure = canvas(4.4, top=0.3, hspace=0.12, left=0.11)
     above, below = figure.subplots(2, 1, sharex=True, height_ratios=(2, 1))
     truth, craft, shown = run.of(TRUTH), run.of(CRAFT), run.of(SITUATION)
     above.plot(truth.t, np.linalg.norm(truth['target'], axis=-1), color=INK, label='true')

@@ -209,7 +209,7 @@ class OrderedTracker:
         there = np.array([arrived.length, 0.0, 0.0, 0.0, 0.0, 0.0])
         still = np.where((self._doing == ARRIVED)[:, np.newaxis], there, still)
         idle = np.where((self._doing == LATCHED)[:, np.newaxis], self._measured, still)
-        far = np.maximum(np.linalg.norm(place) - still[:, 0], NEAREST_M)
+        far = np.maximum(np.linalg.norm(place) - idle[:, 0], NEAREST_M)
         return (np.where(flying, planned[:, :6], idle), np.where(flying, planned[:, 6:13], fed),
                 np.where(flying[:, 0], planned[:, 13], far))
 
