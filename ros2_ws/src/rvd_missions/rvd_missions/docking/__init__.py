@@ -47,4 +47,5 @@ MISSION = Mission(
     diagram=f'{HERE}.diagram:diagram',
     judge=f'{HERE}.judge:Judge',
     figures=f'{HERE}.figures:FIGURES',
+    campaign_figures=f'{HERE}.campaign_figures:FIGURES',
 )
