@@ -237,7 +237,8 @@ def _add_bench(commands: argparse._SubParsersAction) -> None:
                     'flight and the in-process loop, and say which targets are met. Leave the '
                     'machine alone meanwhile.')
     bench.add_argument('part', nargs='?', default='all',
-                       choices=('graph', 'flight', 'loop', 'campaign', 'laws', 'tether', 'console', 'all'),
+                       choices=('graph', 'flight', 'loop', 'campaign', 'laws', 'tether', 'docking',
+                                'console', 'all'),
                        help='what to measure (default: all but the console, about four minutes; '
                             'the console needs Chromium)')
     bench.add_argument('--quick', action='store_true', help='one repetition each, small batches')

@@ -155,21 +155,33 @@ def test_a_late_camera_is_met_exactly():
 
 # -- against filterpy and the exponential ---------------------------------------------------------
 
+def attitude_transition(*arguments):
+    """Return Phi (6, 6) as the filter makes it."""
+    compiled.attitude_transition(*arguments, f := np.empty((6, 6)))
+    return f
+
+
+def position_transition(r, *arguments):
+    """Return Phi (9, 9) as the filter makes it."""
+    compiled.position_transition(tuple(map(tuple, r)), *arguments, f := np.empty((9, 9)))
+    return f
+
+
 def test_transitions_are_exponentials_of_the_paper_s_matrices():
     h, w = 0.01, np.array([0.3, -0.2, 0.5])
     skew = np.array([[0, -w[2], w[1]], [w[2], 0, -w[0]], [-w[1], w[0], 0]])
     f = np.zeros((6, 6))
     f[:3, :3], f[:3, 3:] = -skew, -0.5*np.eye(3)
-    assert_allclose(compiled.attitude_transition(w, np.zeros(3), h, 0.0), expm(h*f), atol=1e-7)
+    assert_allclose(attitude_transition(w, np.zeros(3), h, 0.0), expm(h*f), atol=1e-7)
     f[3:, :3] = 0.5*0.02*np.eye(3)
-    assert_allclose(compiled.attitude_transition(w, np.zeros(3), h, 0.02), expm(h*f), atol=1e-6)
+    assert_allclose(attitude_transition(w, np.zeros(3), h, 0.02), expm(h*f), atol=1e-6)
     r = attitude.matrix(attitude.from_rotation_vector([0.1, 0.2, -0.3]))
     n = N
     f = np.zeros((9, 9))
     f[:3, 3:6], f[3:6, 6:] = np.eye(3), -r
     f[3:6, :3] = np.diag([0, -n*n, 3*n*n])
     f[3:6, 3:6] = [[0, 0, 2*n], [0, 0, 0], [-2*n, 0, 0]]
-    assert_allclose(compiled.position_transition(r, h, n), expm(h*f), atol=1e-7)
+    assert_allclose(position_transition(r, h, n), expm(h*f), atol=1e-7)
 
 
 def test_steps_are_those_of_filterpy():
@@ -184,13 +196,13 @@ def test_steps_are_those_of_filterpy():
 
     q, b, p, s, ps = before
     kf = filterpy.kalman.KalmanFilter(6, 3)
-    kf.P, kf.F = p, compiled.attitude_transition(rate[0], b, 0.01, 0.0)
+    kf.P, kf.F = p, attitude_transition(rate[0], b, 0.01, 0.0)
     dq_q, dq_b, dv, dd = nav._noises
     kf.Q = np.diag([dq_q]*3 + [dq_b]*3)
     kf.H, kf.R = np.eye(3, 6), 0.25*covariance[0, 3:, 3:]
     kf.predict()
-    ahead = q.copy()
-    compiled.turn_on(ahead, rate[0], rate[0], b, 0.01, N, compiled.NEWEST, compiled.PROJECTED)
+    ahead = np.array(compiled.turn_on(tuple(q), rate[0], rate[0], b, 0.01, N, compiled.NEWEST,
+                                      compiled.PROJECTED))
     z = attitude.multiply(attitude.conjugate(ahead), turn[0])[:3]
     kf.update(z)
     assert_allclose(nav.attitude_covariance[0], kf.P, rtol=1e-9, atol=1e-22)
@@ -201,11 +213,11 @@ def test_steps_are_those_of_filterpy():
 
     r = attitude.matrix(q)
     kf = filterpy.kalman.KalmanFilter(9, 3)
-    kf.F, kf.P = compiled.position_transition(r, 0.01, N), ps
+    kf.F, kf.P = position_transition(r, 0.01, N), ps
     g = np.vstack([0.5*0.01*np.eye(3), np.eye(3), np.zeros((3, 3))])
     kf.Q = dv*g @ g.T + np.diag([0.0]*6 + [dd]*3)
     moving = s.copy()
-    compiled.move_on(moving, force[0], r, 0.01, N)
+    compiled.move_on(moving, force[0], tuple(map(tuple, r)), 0.01, N)
     kf.predict()
     kf.x = moving[:, None].copy()
     new = attitude.matrix(nav.attitude[0])
@@ -287,8 +299,7 @@ def test_projection_with_unit_weight_is_a_newton_step_for_the_length():
         found = projected(x, np.eye(7))
         assert np.linalg.norm(found[:4]) - 1.0 == pytest.approx(e*e/(2*(1 + e)), rel=1e-9)
         assert_allclose(found[4:], x[4:])
-        q = x[:4].copy()
-        compiled.kept(q, compiled.PROJECTED)
+        q = compiled.kept(tuple(x[:4]), compiled.PROJECTED)
         again = projected(found, np.eye(7))[:4]     # twice, as the error is above 1e-3
         assert_allclose(q, again, atol=1e-15)
 

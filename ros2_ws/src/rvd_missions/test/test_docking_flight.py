@@ -9,6 +9,7 @@ import pytest
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.in_process import fly
 from rvd_dynamics.diagram.scenario import parse
+from rvd_missions.docking import markers
 
 
 def scenario(seconds, shared='', **sections):
@@ -112,3 +113,9 @@ def test_what_cannot_be_flown_is_refused_in_one_line(shared, sections, words):
     with pytest.raises(BadInput, match=words) as refused:
         fly(scenario(8.0, shared, **sections), range(1))
     assert '\n' not in str(refused.value)
+
+
+def test_markers_in_one_plane_are_refused_in_one_line(monkeypatch):
+    monkeypatch.setattr(markers, 'BIG', markers.BIG*[0.0, 1.0, 1.0])
+    with pytest.raises(BadInput, match='^markers: markers must not lie in one plane: .* got 0$'):
+        fly(scenario(8.0), range(1))

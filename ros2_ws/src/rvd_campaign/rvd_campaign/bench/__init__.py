@@ -180,6 +180,16 @@ def _tether_rows(r: dict) -> list[Row]:
     return _goal_rows(r, GOALS)
 
 
+def _docking(quick: bool, _: Checkout | None) -> dict:
+    from rvd_campaign.bench import docking
+    return docking.measure(quick)
+
+
+def _docking_rows(r: dict) -> list[Row]:
+    from rvd_campaign.bench.docking import GOALS
+    return _goal_rows(r, GOALS)
+
+
 def _goal_rows(r: dict, goals: dict) -> list[Row]:
     rows = []
     for name, value in r.items():
@@ -208,5 +218,6 @@ PARTS: dict[str, tuple[Measure, Callable[[dict], list[Row]]]] = {
     'flight': (_flight, _flight_rows),
     'laws': (_laws, _laws_rows),
     'tether': (_tether, _tether_rows),
+    'docking': (_docking, _docking_rows),
     'console': (_console, _console_rows),
 }

@@ -17,10 +17,10 @@ SMALL = 1e-4                            # [rad] below which sin(a)/a is a series
 
 def multiply(p: ArrayLike, q: ArrayLike) -> Array:
     """Return the quaternion product p (x) q, (..., 4): R(p (x) q) = R(p) R(q)."""
-    a, b, c, d = np.moveaxis(np.asarray(p, dtype=float), -1, 0)
-    x, y, z, w = np.moveaxis(np.asarray(q, dtype=float), -1, 0)
-    return np.stack([d*x + a*w + b*z - c*y, d*y + b*w + c*x - a*z,
-                     d*z + c*w + a*y - b*x, d*w - a*x - b*y - c*z], axis=-1)
+    a, b, c, d = _parts(p)
+    x, y, z, w = _parts(q)
+    return _together(d*x + a*w + b*z - c*y, d*y + b*w + c*x - a*z,
+                     d*z + c*w + a*y - b*x, d*w - a*x - b*y - c*z)
 
 
 def conjugate(q: ArrayLike) -> Array:
@@ -36,18 +36,19 @@ def normalised(q: ArrayLike) -> Array:
 
 def matrix(q: ArrayLike) -> Array:
     """Return R (..., 3, 3): v_ref = R v_body; its columns are the body's axes."""
-    x, y, z, w = np.moveaxis(np.asarray(q, dtype=float), -1, 0)
+    x, y, z, w = _parts(q)
     rows = [[1 - 2*(y*y + z*z), 2*(x*y - w*z), 2*(x*z + w*y)],
             [2*(x*y + w*z), 1 - 2*(x*x + z*z), 2*(y*z - w*x)],
             [2*(x*z - w*y), 2*(y*z + w*x), 1 - 2*(x*x + y*y)]]
-    return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
+    return _together(*(number for row in rows for number in row)).reshape((*x.shape, 3, 3))
 
 
 def rotate(q: ArrayLike, vector: ArrayLike) -> Array:
     """Return vectors (..., 3) of the body in the reference."""
-    q, v = np.asarray(q, dtype=float), np.asarray(vector, dtype=float)
-    t = 2.0*_cross(q[..., :3], v)
-    return v + q[..., 3:]*t + _cross(q[..., :3], t)
+    x, y, z, w = _parts(q)
+    a, b, c = _parts(vector)
+    t, u, v = 2.0*(y*c - z*b), 2.0*(z*a - x*c), 2.0*(x*b - y*a)
+    return _together(a + w*t + (y*v - z*u), b + w*u + (z*t - x*v), c + w*v + (x*u - y*t))
 
 
 def rotate_back(q: ArrayLike, vector: ArrayLike) -> Array:
@@ -79,14 +80,14 @@ def rotation_vector(q: ArrayLike) -> Array:
 def from_euler(angles: ArrayLike) -> Array:
     """Return the quaternion (..., 4) of roll, pitch, yaw (..., 3) [rad]: R = Rz Ry Rx."""
     half = 0.5*np.asarray(angles, dtype=float)
-    (sr, sp, sy), (cr, cp, cy) = (np.moveaxis(f(half), -1, 0) for f in (np.sin, np.cos))
-    return np.stack([sr*cp*cy - cr*sp*sy, cr*sp*cy + sr*cp*sy,
-                     cr*cp*sy - sr*sp*cy, cr*cp*cy + sr*sp*sy], axis=-1)
+    (sr, sp, sy), (cr, cp, cy) = (_parts(f(half)) for f in (np.sin, np.cos))
+    return _together(sr*cp*cy - cr*sp*sy, cr*sp*cy + sr*cp*sy,
+                     cr*cp*sy - sr*sp*cy, cr*cp*cy + sr*sp*sy)
 
 
 def euler(q: ArrayLike) -> Array:
     """Return roll, pitch, yaw (..., 3) [rad] of `from_euler`, the pitch within +-90 degrees."""
-    x, y, z, w = np.moveaxis(np.asarray(q, dtype=float), -1, 0)
+    x, y, z, w = _parts(q)
     pitch = np.clip(2*(w*y - x*z), -1.0, 1.0)
     return np.stack([np.arctan2(2*(w*x + y*z), 1 - 2*(x*x + y*y)), np.arcsin(pitch),
                      np.arctan2(2*(w*z + x*y), 1 - 2*(y*y + z*z))], axis=-1)
@@ -101,7 +102,15 @@ def _dot(a: Array, b: Array) -> Array:
     return total
 
 
-def _cross(a: Array, b: Array) -> Array:
-    """Return a x b (..., 3)."""
-    (ax, ay, az), (bx, by, bz) = np.moveaxis(a, -1, 0), np.moveaxis(b, -1, 0)
-    return np.stack([ay*bz - az*by, az*bx - ax*bz, ax*by - ay*bx], axis=-1)
+def _parts(value: ArrayLike) -> list[Array]:
+    """Return the components of the last axis: a view each, many times cheaper than moveaxis."""
+    value = np.asarray(value, dtype=float)
+    return [value[..., i] for i in range(value.shape[-1])]
+
+
+def _together(*parts: Array) -> Array:
+    """Return components (...) as one array (..., n); a tenth of the calls of `np.stack`."""
+    made = np.empty((*np.shape(parts[0]), len(parts)))
+    for i, part in enumerate(parts):
+        made[..., i] = part
+    return made

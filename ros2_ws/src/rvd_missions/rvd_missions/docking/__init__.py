@@ -70,5 +70,5 @@ MISSION = Mission(
     judge=f'{HERE}.judge:Judge',
     figures=f'{HERE}.figures:FIGURES',
     display=f'{HERE}.display:display',
-    campaign_figures=f'{HERE}.planner_figures:FIGURES',
+    campaign_figures=f'{HERE}.campaign_figures:FIGURES',
 )

@@ -17,7 +17,11 @@ from rvd_missions.docking.planning import Preparation
 
 
 class Columns:
-    """Root mean squares over each run, from the first estimate on; nothing is judged by them."""
+    """
+    Root mean squares over each run, from the first estimate on; nothing is judged by them.
+
+    `gyro_drift_deg_h` is the mean error of the rate: what is left of the gyro's bias.
+    """
 
     def __init__(self, scatter: Scatter, craft: Spacecraft, chaser: Chaser, properties: NDArray,
                  preparation: Preparation, run: Run, batch: tuple) -> None:
@@ -25,6 +29,7 @@ class Columns:
         self._margins = FlownMargins(preparation, run, batch)
         self._ended = np.zeros(batch, dtype=bool)
         self._place, self._speed, self._angle, self._count = np.zeros((4, *batch))
+        self._drift = np.zeros((*batch, 3))
         self._nis, self._views = np.zeros((*batch, 2)), np.zeros(batch)
         self._safety = np.zeros(batch, dtype=np.uint8)
 
@@ -38,6 +43,7 @@ class Columns:
             square = error[..., 0]**2 + error[..., 1]**2 + error[..., 2]**2
             setattr(self, name, getattr(self, name) + np.where(known, square, 0.0))
         self._count = self._count + known
+        self._drift = self._drift + np.where(known[..., np.newaxis], estimate.rate - truth.rate, 0.0)
         seen = known & np.isfinite(estimate.nis[..., 0])
         self._nis = self._nis + np.where(seen[..., np.newaxis], estimate.nis, 0.0)
         self._views = self._views + seen
@@ -51,9 +57,11 @@ class Columns:
         """Return the columns of N runs; rms of one axis of the three."""
         with np.errstate(invalid='ignore', divide='ignore'):
             n = 3.0*self._count
+            drift = np.degrees(self._drift)*3600.0/self._count[..., np.newaxis]
+            drift = np.sqrt((drift[..., 0]**2 + drift[..., 1]**2 + drift[..., 2]**2)/3.0)
             return {'nav_error_m': np.sqrt(self._place/n), 'nav_speed_m_s': np.sqrt(self._speed/n),
                     'nav_attitude_error_deg': np.degrees(np.sqrt(self._angle/n)),
-                    'nis_attitude': self._nis[..., 0]/self._views,
+                    'gyro_drift_deg_h': drift, 'nis_attitude': self._nis[..., 0]/self._views,
                     'nis_position': self._nis[..., 1]/self._views,
                 'safety_state': self._safety.astype(np.int64), 'redrawn': self._redrawn,
                 'steps': end_step, **self._margins.table()}

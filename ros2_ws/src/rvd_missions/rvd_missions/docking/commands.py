@@ -43,6 +43,11 @@ class ValveForm:
         return len(command) == COUNT and set(command) <= {0, 1}
 
 
+def by_run(runs: Sequence[int], count: int) -> NDArray[np.int64]:
+    """Return the thruster (N,) of each run where every run has another one."""
+    return np.asarray(runs, dtype=np.int64) % count
+
+
 def form() -> ValveForm:
     """Return the command form of a scenario."""
     return ValveForm()

@@ -2,6 +2,7 @@
 The craft's own computers: pose, navigation, guidance and control. They read no truth.
 """
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -19,11 +20,11 @@ from rvd_dynamics.onboard.control.six_loops import (
 from rvd_dynamics.onboard.navigation.filters import FilterParams, Navigation as Filters
 from rvd_dynamics.onboard.navigation.vision import Vision as Poses, VisionParams
 from rvd_missions.docking import markers
-from rvd_missions.docking.commands import ValveForm
+from rvd_missions.docking.commands import by_run, ValveForm
 from rvd_missions.docking.golden import GoldenLoopParams, GoldenLoops
 from rvd_missions.docking.profile import Profile, ProfileParams
 from rvd_missions.docking.safety import ABORT, HOLD, RETREAT, Safety, SafetyParams
-from rvd_missions.docking.settings import Aim, OrbitParams
+from rvd_missions.docking.settings import Aim, compiled, OrbitParams, rows
 from rvd_missions.docking.signals import ESTIMATE, GUIDANCE, POSE, WANTED
 
 NOMINAL_MASS = 2000.0                           # [kg] what the craft takes itself to be
@@ -77,8 +78,8 @@ class Navigation:
     def _rows(self, value: NDArray, *shape: int) -> NDArray:
         return np.reshape(np.broadcast_to(value, (*self._batch, *shape)), (-1, *shape))
 
-    def _out(self, rows: NDArray) -> NDArray:
-        return rows.reshape((*self._batch, *rows.shape[1:]))
+    def _out(self, of_rows: NDArray) -> NDArray:
+        return of_rows.reshape((*self._batch, *of_rows.shape[1:]))
 
 
 @settings
@@ -93,6 +94,9 @@ class ControllerParams:
     allocation: str = param('table', 'How thrusters are chosen.', choices=tuple(WAYS))
     failed: tuple = param((-1,), 'Numbers of thrusters known to have failed; -1 is none.', low=-1,
                           high=36)
+    failed_by_run: bool = param(
+        False, 'Whether the thruster of the run\'s number, modulo their number, is known to have '
+        'failed, too.')
     safety: SafetyParams = param(SafetyParams, 'The safety strategy.')
 
 
@@ -100,45 +104,49 @@ class Controller:
     """Tracks the profile with six loops and opens valves."""
 
     def __init__(self, settings: ControllerParams, run: Run, aim: Aim, orbit: OrbitParams,
-                 form: ValveForm, batch: tuple) -> None:
+                 form: ValveForm, runs: Sequence[int], batch: tuple) -> None:
         s, self._batch, self._run, self._aim = settings, batch, run, aim
         for name, loop, acceleration, widest in (
                 ('position', s.position, 40.0/NOMINAL_MASS, WIDEST[0]),
                 ('attitude', s.attitude, float((16.0/NOMINAL_INERTIA).min()), WIDEST[1])):
             require_design(name, Design(loop, acceleration), widest, 0.04, LOOP_DELAY_S, STRUCTURE,
                            run.step_s)
-        rows = int(np.prod(batch, dtype=int))
-        self._loops = SixLoops(s.position, s.attitude, run.step_s, (rows,))
+        count = int(np.prod(batch, dtype=int))
+        self._loops = SixLoops(s.position, s.attitude, run.step_s, (count,))
         if s.attitude_law == 'golden_section':
             self._loops = GoldenLoops(s.golden_section, self._loops, s.attitude.modulator,
-                                      AUTHORITY[3:]/NOMINAL_INERTIA, run.step_s, rows)
+                                      AUTHORITY[3:]/NOMINAL_INERTIA, run.step_s, count)
         self._settings, self._form, self._n = s, form, orbit.mean_motion
-        failed = np.isin(np.arange(len(form.thrusters)), s.failed)
+        numbers = np.arange(len(form.thrusters))
+        failed = np.tile(np.isin(numbers, s.failed), (count, 1))
+        if s.failed_by_run:
+            failed |= numbers == by_run(runs, len(numbers))[:, np.newaxis]
         turn = ('J3',) if s.allocation == 'table' else ('J3', 'J4')
-        self._allocation = Allocation(form.thrusters, s.allocation, AUTHORITY, ('J2',), turn)
-        self._allocation.fail(failed)
-        self._shares = Shares(4, (rows, len(form.thrusters)))
+        self._allocations = []                  # of rows with the same mask
+        for mask in np.unique(failed, axis=0):
+            allocation = Allocation(form.thrusters, s.allocation, AUTHORITY, ('J2',), turn)
+            allocation.fail(mask)
+            self._allocations.append((np.flatnonzero((failed == mask).all(axis=1)), allocation))
+        self._shares = Shares(4, (count, len(form.thrusters)))
         self._brake = form.retreat.astype(bool) & ~failed
-        self._safety = Safety(s.safety, run.step_s, rows)
+        self._safety = Safety(s.safety, run.step_s, count)
         self._profile: Profile | None = None
-        self._began, self._held = 0.0, np.full((rows, 3), np.nan)
+        self._began, self._held = 0.0, np.full((count, 3), np.nan)
 
     def step(self, k: int, estimate: Any, control: Control) -> dict[str, Any]:
         """Return valves and guidance of step k."""
-        rows = len(self._held)
-        r, v, q, rate, nis = (np.reshape(getattr(estimate, name), (rows, -1)) for name in
-                              ('position', 'velocity', 'attitude', 'rate', 'nis'))
+        r, v, q, rate, nis = (rows(part, width) for part, width in (
+            (estimate.position, 3), (estimate.velocity, 3), (estimate.attitude, 4),
+            (estimate.rate, 3), (estimate.nis, 2)))
         t = k*self._run.step_s
-        arm = attitude.rotate(q, np.broadcast_to(markers.CHASER_PORT, r.shape))
-        port = r + arm - markers.TARGET_PORT
+        port, spin = compiled().estimated(r, q, rate, self._n, markers.CHASER_PORT,
+                                          markers.TARGET_PORT)     # spin: relative to the target
         turn = attitude.rotation_vector(q)
-        spin = rate + self._n*attitude.matrix(q)[:, 1]          # relative to the target
         state = self._safety.advance(t, port, v[:, 0], turn, spin, nis)
         wanted, speed = self._reference(t, r, state)
-        error = np.concatenate([attitude.rotate_back(q, wanted - r), -turn], axis=-1)
-        change = np.concatenate([attitude.rotate_back(q, speed - v), -spin], axis=-1)
+        error, change = compiled().errors(r, v, q, turn, spin, wanted, speed)
         demand = self._loops.step(error, change)
-        valves = self._shares.open(self._allocation(demand))
+        valves = self._shares.open(self._allocated(demand))
         backing = (state == RETREAT) & (demand[:, 0] < 0.0)
         valves = valves | (backing[:, None] & self._brake)
         abort = (state == ABORT) | bool(control.abort)
@@ -149,6 +157,15 @@ class Controller:
                              received=np.ones(self._batch, dtype=bool)),
             'guidance': GUIDANCE(reference=out(wanted), error=out(error), demand=out(demand),
                                  safety=out(state.copy()))}
+
+    def _allocated(self, demand: NDArray) -> NDArray:
+        """Return how much of each thruster (N, T) answers demands (N, 6)."""
+        if len(self._allocations) == 1:
+            return self._allocations[0][1](demand)
+        found = np.empty((len(demand), len(self._form.thrusters)))
+        for at, allocation in self._allocations:
+            found[at] = allocation(demand[at])
+        return found
 
     def _reference(self, t: float, r: NDArray, state: NDArray) -> tuple[NDArray, NDArray]:
         """Return the wanted place and velocity (N, 3) of the craft's centre; NaN if unknown."""
@@ -177,5 +194,5 @@ class Controller:
         port, speed = self._profile.at(t - self._began)
         return port - markers.CHASER_PORT + markers.TARGET_PORT, speed
 
-    def _out(self, rows: NDArray) -> NDArray:
-        return rows.reshape((*self._batch, *rows.shape[1:]))
+    def _out(self, of_rows: NDArray) -> NDArray:
+        return of_rows.reshape((*self._batch, *of_rows.shape[1:]))

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.params import param, require, settings
+from rvd_missions.docking.settings import compiled
 
 Array = NDArray[np.float64]
 
@@ -73,16 +74,6 @@ class Profile:
 
     def at(self, t: float) -> tuple[Array, Array]:
         """Return port (N, 3) [m] and velocity (N, 3) [m/s] at a time [s] since the start."""
-        rows = np.arange(len(self._start))
-        part = np.minimum((t >= self._ends[:, 1:]).sum(axis=-1), 4)
-        begin, span = self._ends[rows, part], self._ends[rows, part + 1] - self._ends[rows, part]
-        v0, v1 = self._speeds[part], self._speeds[part + 1]
-        tau = np.clip(t - begin, 0.0, span)
-        rate = np.where(span > 0.0, (v1 - v0)/np.where(span > 0.0, span, 1.0), 0.0)
-        over = t >= self._ends[:, -1]
-        gone = np.where(over, self._gone[:, -1], self._gone[rows, part] + tau*(v0 + 0.5*rate*tau))
-        speed = np.where(over, 0.0, v0 + rate*tau)
         s = min(t/self._lateral, 1.0)
         left, slope = (1 - s)**2*(1 + 2*s), -6*s*(1 - s)/self._lateral
-        port = np.concatenate([(self._start[:, 0] + gone)[:, None], left*self._start[:, 1:]], -1)
-        return port, np.concatenate([speed[:, None], slope*self._start[:, 1:]], axis=-1)
+        return compiled().profile(t, self._start, self._ends, self._speeds, self._gone, left, slope)

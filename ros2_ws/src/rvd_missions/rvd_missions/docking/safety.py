@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rvd_dynamics.diagram.params import param, settings
+from rvd_missions.docking.settings import compiled
 
 NOMINAL, HOLD, RETREAT, ABORT = range(4)
 NAMES = ('NOMINAL', 'HOLD', 'RETREAT', 'ABORT')
@@ -53,7 +54,10 @@ class Safety:
         self.state = np.zeros(rows, dtype=np.uint8)
         self._blind = np.zeros(rows)
         self._odd = np.zeros(rows, dtype=np.int64)
-        self._slope = np.tan(np.radians(settings.cone_deg))
+        s = settings
+        self._bounds = (np.tan(np.radians(s.cone_deg)), s.near_m, s.near_lateral_m, s.stop_m,
+                        s.brake_m_s2, s.least_speed_m_s, np.radians(s.attitude_deg), s.lost_s,
+                        s.nis)
 
     def resume(self, rows: NDArray[np.bool_]) -> None:
         """Go back to NOMINAL in rows (N,) that hold or retreat; an ABORT stays one."""
@@ -77,23 +81,7 @@ class Safety:
             NaN where no pose came.
         """
         s = self._settings
-        known = np.isfinite(port[:, 0])
-        seen = np.isfinite(nis[:, 0])
-        self._blind = np.where(seen | ~known, 0.0, self._blind + self._step_s)
-        self._odd = np.where(seen, np.where((nis > s.nis).any(axis=-1), self._odd + 1, 0),
-                             self._odd)
-        distance = -port[:, 0]
-        across = np.sqrt(port[:, 1]*port[:, 1] + port[:, 2]*port[:, 2])
-        far = distance > s.near_m
-        most = np.maximum(s.least_speed_m_s, np.sqrt(
-            2.0*s.brake_m_s2*np.maximum(distance - s.stop_m, 0.0)))
         rate_bound = np.radians(s.rate_deg_s if t < s.settling_s else s.late_rate_deg_s)
-        hold = (far & (across > self._slope*distance)) | (self._blind > s.lost_s) \
-            | (np.abs(turn) > np.radians(s.attitude_deg)).any(axis=-1) \
-            | (np.abs(rate) > rate_bound).any(axis=-1) | (self._odd >= s.nis_views)
-        wanted = np.where(hold, HOLD, NOMINAL)
-        wanted = np.where(~far & (across > s.near_lateral_m), RETREAT, wanted)
-        wanted = np.where(speed > most, ABORT, wanted)
-        if s.active:
-            self.state = np.maximum(self.state, np.where(known, wanted, NOMINAL)).astype(np.uint8)
+        compiled().watch(self.state, self._blind, self._odd, port, speed, turn, rate, nis,
+                         self._bounds, rate_bound, s.nis_views, self._step_s, s.active)
         return self.state

@@ -102,7 +102,7 @@ def drawn(scatter: Scatter, craft: Spacecraft, chaser: Chaser, normals: Array) -
     candidates = np.reshape(normals, (-1, CANDIDATES, WIDTH))
     rows = len(candidates)
     chosen, redrawn = candidates[:, 0].copy(), np.zeros(rows, dtype=np.int64)
-    if scatter.of_craft or scatter.thrust:
+    if _why_not(scatter, craft, chosen):        # of all at once: most often every one can be
         for row in range(rows):
             for candidate in candidates[row]:
                 why = _why_not(scatter, craft, candidate[np.newaxis])
@@ -142,7 +142,7 @@ def _split(normals: Array) -> dict[str, Array]:
 
 
 def _why_not(scatter: Scatter, craft: Spacecraft, normals: Array) -> str:
-    """Return why a candidate (1, WIDTH) cannot be, or nothing."""
+    """Return why candidates (N, WIDTH) cannot all be, or nothing."""
     parts = _split(normals)
     for name, sigma, what in (
             ('mass', scatter.mass, 'mass'), ('slosh_mass', scatter.slosh_mass, 'mass of liquid'),
@@ -153,7 +153,8 @@ def _why_not(scatter: Scatter, craft: Spacecraft, normals: Array) -> str:
         if not least > 0.0:
             return f'{what} must be positive, got {least:.3g} of the nominal one'
     try:
-        _craft(scatter, craft, normals)
+        if scatter.of_craft:
+            _craft(scatter, craft, normals)
     except BadInput as error:
         return str(error)
     return ''

@@ -4,7 +4,8 @@ Settings that belong to no single block: the craft, the start, the aim, and what
 All numbers are assumed, but for the orbit, 3 m, 7 cm +- 4 cm and 80 s: the paper prints no others.
 """
 
-from functools import cached_property
+from functools import cached_property, lru_cache
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -12,7 +13,6 @@ from numpy.typing import ArrayLike, NDArray
 from rvd_dynamics.diagram.params import param, require, settings
 from rvd_dynamics.diagram.run import Run as AnyRun
 from rvd_dynamics.diagram.time_grid import whole_steps
-from rvd_dynamics.motion import attitude
 from rvd_dynamics.motion.orbit import OrbitParams as Orbit
 from rvd_missions.docking.markers import CHASER_PORT, TARGET_PORT
 
@@ -156,10 +156,24 @@ def faces(position: ArrayLike, q: ArrayLike, target: ArrayLike, centre: ArrayLik
     turn : ndarray, shape (..., 4)
         Chaser relative to target.
     """
-    turn = attitude.multiply(attitude.conjugate(target), q)
-    away = attitude.rotate_back(target, position)
-    arm = np.broadcast_to(CHASER_PORT - np.asarray(centre, dtype=float), np.shape(away))
-    return away + attitude.rotate(turn, arm) - TARGET_PORT, turn
+    position = np.asarray(position, dtype=float)
+    batch = position.shape[:-1]
+    arm = np.broadcast_to(CHASER_PORT - centre, position.shape)
+    port, turn = compiled().faces(rows(position, 3), rows(q, 4), rows(target, 4), rows(arm, 3),
+                                  TARGET_PORT)
+    return port.reshape((*batch, 3)), turn.reshape((*batch, 4))
+
+
+def rows(value: ArrayLike, width: int) -> Array:
+    """Return (..., width) as rows (N, width) for compiled loops."""
+    return np.ascontiguousarray(value, dtype=float).reshape(-1, width)
+
+
+@lru_cache(maxsize=1)
+def compiled() -> Any:
+    """Return the compiled loops of the mission."""
+    from rvd_missions.docking import rows_compiled          # numba
+    return rows_compiled
 
 
 def ended(k: int, port: Array, last_step: int) -> NDArray[np.bool_]:

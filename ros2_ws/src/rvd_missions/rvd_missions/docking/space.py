@@ -2,6 +2,7 @@
 The space segment: chaser and target as they move, the inertial unit, the camera.
 """
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -18,11 +19,11 @@ from rvd_dynamics.world.spacecraft.reaction_control import (
     Failure, KINDS, ReactionControl, ThrusterParams)
 from rvd_dynamics.world.spacecraft.spacecraft import Spacecraft
 from rvd_missions.docking import markers
-from rvd_missions.docking.commands import ValveForm
+from rvd_missions.docking.commands import by_run, ValveForm
 from rvd_missions.docking.scatter import drawn, Scatter
-from rvd_missions.docking.settings import Chaser, ended, faces, OrbitParams, Panels, Start, Tanks
-from rvd_missions.docking.signals import (
-    FEATURES, INERTIAL, MARKERS, POSE, STATIONS, TRUTH)
+from rvd_missions.docking.settings import (
+    Chaser, compiled, ended, faces, OrbitParams, Panels, rows, Start, Tanks)
+from rvd_missions.docking.signals import FEATURES, INERTIAL, MARKERS, POSE, STATIONS, TRUTH
 
 VIEW_DRAWS = 2*MARKERS + 1              # normals of a view: markers, and whether it is lost
 
@@ -33,6 +34,8 @@ class DynamicsParams:
 
     sub_steps: int = param(4, 'Steps of the plant in a base step.', low=1, high=1000)
     failed_thruster: int = param(0, 'Number of a thruster that fails.', low=0)
+    failed_by_run: bool = param(False, 'Whether its number is that of the run instead, modulo the '
+                                'number of thrusters: a campaign then fails each in turn.')
     failure: str = param('sound', 'How it fails.', choices=tuple(KINDS))
     failure_at_s: float = param(0.0, 'Instant of the failure [s].', low=0.0)
     failure_factor: float = param(0.5, 'Thrust that a weak one keeps, as a fraction.', low=0.0,
@@ -81,35 +84,37 @@ class Dynamics:
     def __init__(self, settings: DynamicsParams, run: Run, craft: Spacecraft, chaser: Chaser,
                  start: Start, form: ValveForm, thruster: ThrusterParams, camera: CameraParams,
                  panels: Panels, scatter: Scatter, start_scatter: NDArray, pulses: NDArray,
-                 properties: NDArray, batch: tuple) -> None:
+                 properties: NDArray, runs: Sequence[int], batch: tuple) -> None:
         own = drawn(scatter, craft, chaser, properties)
         craft = own.craft
         self._run, self._craft, self._batch, self._centre = run, craft, batch, own.centre
-        rows = int(np.prod(batch, dtype=int))
-        shifts = np.reshape(start_scatter, (rows, 9))
+        count = int(np.prod(batch, dtype=int))
+        shifts = np.reshape(start_scatter, (count, 9))
         place = start.position_m + start.position_sigma_m*shifts[:, :3]
         q = attitude.from_euler(np.radians(
             start.attitude_deg + start.attitude_sigma_deg*shifts[:, 3:6]))
         still = attitude.rotate_back(q, np.array([0.0, -craft.mean_motion, 0.0]))
         self._state = craft.state(
-            rows, position=place, attitude=q,
+            count, position=place, attitude=q,
             rate=still + np.radians(start.rate_sigma_deg_s)*shifts[:, 6:])
         nominal = features(camera, ImageParams(corner_sigma_px=0.0),
                            markers.TARGET_PORT + markers.BIG, markers.FACING, start.position_m,
                            attitude.from_euler(np.radians(start.attitude_deg)),
                            np.zeros((len(markers.BIG), 2)), 0.5)
         require_in_view('start', nominal)
-        failed = Failure(settings.failed_thruster, settings.failure,
-                         round(settings.failure_at_s/run.step_s), settings.failure_factor)
+        which = by_run(runs, len(form.thrusters)) if settings.failed_by_run else \
+            settings.failed_thruster
+        failed = Failure(which, settings.failure, round(settings.failure_at_s/run.step_s),
+                         settings.failure_factor)
         self._control = ReactionControl(
             form.thrusters, thruster, run.step_s, settings.sub_steps,
-            np.reshape(pulses, (rows, -1)), self._centre,
+            np.reshape(pulses, (count, -1)), self._centre,
             chaser.thrust_scale*own.thrust, (failed,))
         self._at = {name: where for name, (where, _) in craft.states.items()}
         self._shapes = beam_shapes(panels.modes, STATIONS)/np.sqrt(panels.mass_kg)
-        self._spent = np.zeros(rows)
-        self._moved = (np.zeros((rows, 3)),)*3
-        self._mean = np.zeros((rows, len(form.thrusters)))
+        self._spent = np.zeros(count)
+        self._moved = (np.zeros((count, 3)),)*3
+        self._mean = np.zeros((count, len(form.thrusters)))
 
     def step(self, k: int, thrust: Any) -> dict[str, Any]:
         """Return the truth of step k."""
@@ -153,9 +158,9 @@ class Dynamics:
     def _of_state(self, name: str) -> NDArray:
         return self._state[:, self._at[name]]
 
-    def _out(self, rows: NDArray) -> NDArray:
+    def _out(self, of_rows: NDArray) -> NDArray:
         """Return rows (N, ...) with the batch axes in front."""
-        return rows.reshape((*self._batch, *rows.shape[1:])).copy()
+        return of_rows.reshape((*self._batch, *of_rows.shape[1:])).copy()
 
 
 class Inertial:
@@ -236,8 +241,8 @@ class SimpleCamera:
 
 def mounted(settings: SeeingParams, own: Any, batch: tuple) -> tuple[NDArray, tuple]:
     """Return the craft's centre (*batch, 3), and how the camera is turned [deg] and moved [m]."""
-    def shaped(rows: NDArray) -> NDArray:
-        return rows.reshape((*batch, 3))
+    def shaped(of_rows: NDArray) -> NDArray:
+        return of_rows.reshape((*batch, 3))
     return shaped(own.centre), (shaped(settings.image.alignment_deg + own.alignment),
                                 shaped(settings.image.offset_m + own.camera))
 
@@ -251,6 +256,8 @@ def _by_view(views: NDArray) -> tuple[NDArray, NDArray]:
 
 def relative(truth: Any, centre: NDArray) -> tuple[NDArray, NDArray]:
     """Return the drawing's origin of the chaser from the target's centre, target axes; attitude."""
-    turn = attitude.multiply(attitude.conjugate(truth.target_attitude), truth.attitude)
-    away = attitude.rotate_back(truth.target_attitude, truth.position)
+    batch = np.shape(truth.position)[:-1]
+    away, turn = compiled().relative(rows(truth.position, 3), rows(truth.attitude, 4),
+                                     rows(truth.target_attitude, 4))
+    away, turn = away.reshape((*batch, 3)), turn.reshape((*batch, 4))
     return away - attitude.rotate(turn, np.broadcast_to(centre, away.shape)), turn

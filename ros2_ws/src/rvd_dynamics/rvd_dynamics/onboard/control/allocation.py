@@ -102,28 +102,25 @@ class Allocation:
         require_control(matrix, usable, f'thrusters of {", ".join(groups)}')
         self._index = np.flatnonzero(usable)
         self._matrix = matrix[:, self._index]
-        self._solved: dict[int, Array] = {}
+        self._solved = np.zeros((3**6, len(self._thrusters)))
+        self._known = np.zeros(3**6, dtype=bool)
 
     def __call__(self, command: ArrayLike) -> Array:
         """Return how much of each thruster (..., T) answers commands (..., 6) of -1, 0, 1."""
         command = np.asarray(command)
-        codes = np.zeros(command.shape[:-1], dtype=np.int64)
-        for axis, power in enumerate(POWERS):
-            codes = codes + power*(np.rint(command[..., axis]).astype(np.int64) + 1)
-        answer = np.zeros((*codes.shape, len(self._thrusters)))
-        for code in np.unique(codes):
-            answer[codes == code] = self._of(int(code))
-        return answer
+        codes = ((np.rint(command).astype(np.int64) + 1)*POWERS).sum(axis=-1)
+        new = ~self._known[codes]
+        if np.count_nonzero(new):
+            for code in np.unique(codes[new]):
+                self._solve(int(code))
+        return self._solved[codes]
 
-    def _of(self, code: int) -> Array:
-        if code not in self._solved:
-            wrench = (code//POWERS % 3 - 1)*self._authority
-            u = np.zeros(len(self._thrusters))
-            if np.any(wrench):
-                u[self._index] = self._way(self._matrix, self._authority,
-                                           self._thrusters.force[self._index], wrench)
-            self._solved[code] = u
-        return self._solved[code]
+    def _solve(self, code: int) -> None:
+        wrench = (code//POWERS % 3 - 1)*self._authority
+        if np.any(wrench):
+            self._solved[code, self._index] = self._way(
+                self._matrix, self._authority, self._thrusters.force[self._index], wrench)
+        self._known[code] = True
 
 
 class Shares:

@@ -44,114 +44,144 @@ def product(a, b, transposed):
 
 
 @compiled
+def carry(f, p, half):
+    """Write F P F^T into P, summed in a fixed order; zeros of F cost nothing. `half`: scratch."""
+    n = len(f)
+    for i in range(n):
+        for j in range(n):
+            half[j, i] = 0.0
+        for k in range(n):
+            value = f[i, k]
+            if value != 0.0:
+                for j in range(n):
+                    half[j, i] += value*p[k, j]
+    for j in range(n):
+        for i in range(n):
+            p[i, j] = 0.0
+        for k in range(n):
+            value = f[j, k]
+            if value != 0.0:
+                for i in range(n):
+                    p[i, j] += half[k, i]*value
+
+
+@compiled
 def rotation(q):
-    """Return R (3, 3), craft to target, of a quaternion of any length."""
-    x, y, z, w = q
+    """Return R, craft to target, of a quaternion of any length, as three rows."""
+    x, y, z, w = q[0], q[1], q[2], q[3]
     k = 2.0/(x*x + y*y + z*z + w*w)
-    r = np.empty((3, 3))
-    r[0, 0], r[0, 1], r[0, 2] = 1 - k*(y*y + z*z), k*(x*y - w*z), k*(x*z + w*y)
-    r[1, 0], r[1, 1], r[1, 2] = k*(x*y + w*z), 1 - k*(x*x + z*z), k*(y*z - w*x)
-    r[2, 0], r[2, 1], r[2, 2] = k*(x*z - w*y), k*(y*z + w*x), 1 - k*(x*x + y*y)
-    return r
+    return ((1 - k*(y*y + z*z), k*(x*y - w*z), k*(x*z + w*y)),
+            (k*(x*y + w*z), 1 - k*(x*x + z*z), k*(y*z - w*x)),
+            (k*(x*z - w*y), k*(y*z + w*x), 1 - k*(x*x + y*y)))
 
 
 @compiled
 def times(p, q):
     """Return the quaternion product p (x) q."""
-    a, b, c, d = p
-    x, y, z, w = q
-    return np.array([d*x + a*w + b*z - c*y, d*y + b*w + c*x - a*z,
-                     d*z + c*w + a*y - b*x, d*w - a*x - b*y - c*z])
+    a, b, c, d = p[0], p[1], p[2], p[3]
+    x, y, z, w = q[0], q[1], q[2], q[3]
+    return (d*x + a*w + b*z - c*y, d*y + b*w + c*x - a*z,
+            d*z + c*w + a*y - b*x, d*w - a*x - b*y - c*z)
+
+
+@compiled
+def along(q, k, slope):
+    """Return q + k slope."""
+    return (q[0] + k*slope[0], q[1] + k*slope[1], q[2] + k*slope[2], q[3] + k*slope[3])
 
 
 @compiled
 def attitude_slope(q, gyro, bias, n):
     """Return q' (4): turning by the gyro less its bias, less the target's own turning."""
-    r = rotation(q)
-    w = np.zeros(4)
-    for i in range(3):
-        w[i] = gyro[i] - bias[i] + n*r[1, i]
-    return 0.5*times(q, w)
+    r = rotation(q)[1]
+    x, y, z, w = times(q, (gyro[0] - bias[0] + n*r[0], gyro[1] - bias[1] + n*r[1],
+                           gyro[2] - bias[2] + n*r[2], 0.0))
+    return 0.5*x, 0.5*y, 0.5*z, 0.5*w
 
 
 @compiled
 def kept(q, norm):
-    """Scale a quaternion in place as the norm is to be kept."""
+    """Return a quaternion scaled as the norm is to be kept."""
+    x, y, z, w = q
     if norm == NONE:
-        return
-    size = np.sqrt(q[0]**2 + q[1]**2 + q[2]**2 + q[3]**2)
+        return x, y, z, w
+    size = np.sqrt(x**2 + y**2 + z**2 + w**2)
     if norm == NORMALISED:
-        q /= size
-        return
+        return x/size, y/size, z/size, w/size
     for _ in range(2 if abs(size - 1.0) > FAR_OFF else 1):
-        q *= (size*size + 1.0)/(2.0*size*size)      # eq. 27 with W = 1: on D x = d
-        size = np.sqrt(q[0]**2 + q[1]**2 + q[2]**2 + q[3]**2)
+        k = (size*size + 1.0)/(2.0*size*size)           # eq. 27 with W = 1: on D x = d
+        x, y, z, w = k*x, k*y, k*z, k*w
+        size = np.sqrt(x**2 + y**2 + z**2 + w**2)
+    return x, y, z, w
 
 
 @compiled
 def turn_on(q, before, now, bias, dt, n, predictor, norm):
-    """Carry an attitude over a step in place: eq. 17, or eq. 18 and 19."""
+    """Return an attitude carried over a step: eq. 17, or eq. 18 and 19."""
     first = attitude_slope(q, before, bias, n)
     if predictor == EULER:
-        q += dt*first
-    else:
-        ahead = q + dt*first
-        second = attitude_slope(ahead, now if predictor == NEWEST else before, bias, n)
-        q += 0.5*dt*(first + second)
-    kept(q, norm)
+        return kept(along(q, dt, first), norm)
+    ahead = along(q, dt, first)
+    second = attitude_slope(ahead, now if predictor == NEWEST else before, bias, n)
+    both = (first[0] + second[0], first[1] + second[1], first[2] + second[2], first[3] + second[3])
+    return kept(along(q, 0.5*dt, both), norm)
 
 
 @compiled
 def move_on(s, force, r, dt, n):
     """Carry place and velocity over a step in place, by the midpoint rule, the attitude held."""
-    a = np.zeros(3)
-    for i in range(3):
-        for j in range(3):
-            a[i] += r[i, j]*(force[j] - s[6 + j])
+    fx, fy, fz = force[0] - s[6], force[1] - s[7], force[2] - s[8]
+    x0 = 0.0 + r[0][0]*fx + r[0][1]*fy + r[0][2]*fz
+    y0 = 0.0 + r[1][0]*fx + r[1][1]*fy + r[1][2]*fz
+    z0 = 0.0 + r[2][0]*fx + r[2][1]*fy + r[2][2]*fz
     ax = ay = az = 0.0
     u, v, w = s[3], s[4], s[5]
     for h in (0.0, 0.5*dt):
         y, z = s[1] + h*v, s[2] + h*w
         u, v, w = s[3] + h*ax, s[4] + h*ay, s[5] + h*az
-        ax, ay, az = a[0] + 2*n*w, a[1] - n*n*y, a[2] - 2*n*u + 3*n*n*z
+        ax, ay, az = x0 + 2*n*w, y0 - n*n*y, z0 - 2*n*u + 3*n*n*z
     s[0], s[1], s[2] = s[0] + dt*u, s[1] + dt*v, s[2] + dt*w
     s[3], s[4], s[5] = s[3] + dt*ax, s[4] + dt*ay, s[5] + dt*az
 
 
 @compiled
-def attitude_transition(gyro, bias, dt, feedback):
-    """Return Phi (6, 6) of dq and db; `feedback` is alpha where it stands in the covariance."""
+def attitude_transition(gyro, bias, dt, feedback, f):
+    """Write Phi (6, 6) of dq and db; `feedback` is alpha where it stands in the covariance."""
     x, y, z = gyro[0] - bias[0], gyro[1] - bias[1], gyro[2] - bias[2]
-    skew = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-    square = product(skew, skew, False)
-    f = np.eye(6)
+    skew = ((0.0, -z, y), (z, 0.0, -x), (-y, x, 0.0))
+    for i in range(6):
+        for j in range(6):
+            f[i, j] = 1.0 if i == j else 0.0
     for i in range(3):
         for j in range(3):
-            f[i, j] += -dt*skew[i, j] + 0.5*dt*dt*square[i, j]
-            f[i, 3 + j] += 0.25*dt*dt*skew[i, j]
+            square = 0.0
+            for k in range(3):
+                if skew[i][k] != 0.0:
+                    square += skew[i][k]*skew[k][j]
+            f[i, j] += -dt*skew[i][j] + 0.5*dt*dt*square
+            f[i, 3 + j] += 0.25*dt*dt*skew[i][j]
         f[i, 3 + i] -= 0.5*dt
         f[3 + i, i] += 0.5*feedback*dt
-    return f
 
 
 @compiled
-def position_transition(r, dt, n):
-    """Return Phi (9, 9) of (r, V, d), to second order in the step."""
-    f = np.eye(9)
+def position_transition(r, dt, n, f):
+    """Write Phi (9, 9) of (r, V, d), to second order in the step."""
     half = 0.5*dt*dt
-    m = np.zeros((3, 3))
-    m[0, 2], m[2, 0] = 2.0*n, -2.0*n
-    g = np.array([0.0, -n*n, 3.0*n*n])
+    g = (0.0, -n*n, 3.0*n*n)
+    m = ((0.0, 0.0, 2.0*n), (0.0, 0.0, 0.0), (-2.0*n, 0.0, 0.0))
+    for i in range(9):
+        for j in range(9):
+            f[i, j] = 1.0 if i == j else 0.0
     for i in range(3):
         f[i, i] += half*g[i]
         f[i, 3 + i] += dt
         f[3 + i, i] += dt*g[i]
         for j in range(3):
-            f[i, 3 + j] += half*m[i, j]
-            f[3 + i, 3 + j] += dt*m[i, j]
-            f[i, 6 + j] -= half*r[i, j]
-            f[3 + i, 6 + j] -= dt*r[i, j]
-    return f
+            f[i, 3 + j] += half*m[i][j]
+            f[3 + i, 3 + j] += dt*m[i][j]
+            f[i, 6 + j] -= half*r[i][j]
+            f[3 + i, 6 + j] -= dt*r[i][j]
 
 
 @compiled
@@ -165,10 +195,10 @@ def joseph(p, k, h, noise):
 @compiled
 def see_attitude(q, b, p, seen, noise, injected, norm):
     """Take a measured attitude in place; return its normalised innovation squared."""
-    opposite = np.array([-q[0], -q[1], -q[2], q[3]])/(q[0]**2 + q[1]**2 + q[2]**2 + q[3]**2)
-    dq = times(opposite, seen)
+    size = q[0]**2 + q[1]**2 + q[2]**2 + q[3]**2
+    dq = times((-q[0]/size, -q[1]/size, -q[2]/size, q[3]/size), seen)
     sign = 1.0 if dq[3] >= 0.0 else -1.0
-    z = sign*dq[:3]
+    z = np.array([sign*dq[0], sign*dq[1], sign*dq[2]])
     si = inverse(p[:3, :3] + noise)
     k = product(p[:, :3], si, False)
     nis, dx = 0.0, np.zeros(6)
@@ -180,9 +210,8 @@ def see_attitude(q, b, p, seen, noise, injected, norm):
     h = np.zeros((3, 6))
     h[0, 0] = h[1, 1] = h[2, 2] = 1.0
     p[:, :] = joseph(p, k, h, noise)
-    q[:] = times(q, np.array([dx[0], dx[1], dx[2], 1.0]))
+    q[0], q[1], q[2], q[3] = kept(times(q, (dx[0], dx[1], dx[2], 1.0)), norm)
     b += dx[3:] - injected*z
-    kept(q, norm)
     return nis
 
 
@@ -193,8 +222,8 @@ def see_position(s, p, r, seen, port, noise):
     y = seen.copy()
     for i in range(3):
         for j in range(3):
-            h[i, j] = -r[j, i]
-            y[i] -= r[j, i]*(port[j] - s[j])
+            h[i, j] = -r[j][i]
+            y[i] -= r[j][i]*(port[j] - s[j])
     pht = product(p, h, True)
     si = inverse(product(h, pht, False) + noise)
     k = product(pht, si, False)
@@ -230,17 +259,20 @@ def advance(q, b, p, s, ps, known, samples, place, turn, covariance, settings, n
     q_dq, q_b, q_v, q_d = noises
     nis = np.full((len(q), 2), np.nan)
     depth = samples.shape[1]
+    f, g, half, ninth, turned = (np.empty((6, 6)), np.empty((9, 9)), np.empty((6, 6)),
+                                 np.empty((9, 9)), np.empty((3, 3)))
     for i in range(len(q)):
         seen = np.isfinite(place[i, 0])
         if known[i]:
             before = samples[i, 1 if counting else 0]
             now = samples[i, 1]
             held = rotation(q[i])
-            turn_on(q[i], before[:3], now[:3], b[i], dt, n, predictor, norm)
-            f = attitude_transition(now[:3], b[i], dt, in_covariance)
-            p[i] = product(product(f, p[i], False), f, True)
-            f = position_transition(held, dt, n)
-            ps[i] = product(product(f, ps[i], False), f, True)
+            q[i, 0], q[i, 1], q[i, 2], q[i, 3] = turn_on(
+                (q[i, 0], q[i, 1], q[i, 2], q[i, 3]), before, now, b[i], dt, n, predictor, norm)
+            attitude_transition(now, b[i], dt, in_covariance, f)
+            carry(f, p[i], half)
+            position_transition(held, dt, n, g)
+            carry(g, ps[i], ninth)
             move_on(s[i], now[3:], held, dt, n)
             for j in range(3):
                 p[i, j, j] += q_dq
@@ -259,16 +291,19 @@ def advance(q, b, p, s, ps, known, samples, place, turn, covariance, settings, n
             known[i] = True
             q[i] = turn[i]
             r = rotation(q[i])
+            for j in range(3):
+                for k in range(3):
+                    turned[j, k] = r[j][k]
             b[i] = 0.0
             s[i] = 0.0
             p[i] = 0.0
             ps[i] = 0.0
             there = covariance[i, :3, :3] + lever(place[i], 0.25*covariance[i, 3:, 3:])
-            there = product(product(r, there, False), r, True)
+            there = product(product(turned, there, False), turned, True)
             for j in range(3):
                 s[i, j] = port[j]
                 for k in range(3):
-                    s[i, j] -= r[j, k]*place[i, k]
+                    s[i, j] -= r[j][k]*place[i, k]
                     p[i, j, k] = 0.25*covariance[i, 3 + j, 3 + k]
                     ps[i, j, k] = there[j, k]
                 p[i, 3 + j, 3 + j] = start[0]
@@ -278,14 +313,14 @@ def advance(q, b, p, s, ps, known, samples, place, turn, covariance, settings, n
         if not known[i]:
             out[:] = np.nan
             continue
-        ahead, moving = q[i].copy(), s[i].copy()
+        ahead, moving = (q[i, 0], q[i, 1], q[i, 2], q[i, 3]), out[7:]
+        moving[:] = s[i]
         for j in range(2, depth):               # what the camera has not yet shown
             held = rotation(ahead)
             before = samples[i, j if counting else j - 1]
-            turn_on(ahead, before[:3], samples[i, j, :3], b[i], dt, n, predictor, norm)
+            ahead = turn_on(ahead, before, samples[i, j], b[i], dt, n, predictor, norm)
             move_on(moving, samples[i, j, 3:], held, dt, n)
-        out[:4] = ahead
-        out[7:] = moving
+        out[0], out[1], out[2], out[3] = ahead
         for j in range(3):
             out[4 + j] = samples[i, depth - 1, j] - b[i, j]
     return nis

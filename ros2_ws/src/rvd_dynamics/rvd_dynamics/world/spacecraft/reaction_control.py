@@ -50,9 +50,13 @@ class ThrusterParams:
 
 @dataclass(frozen=True)
 class Failure:
-    """One thruster that fails at a step: `kind` of KINDS; `factor` is what a weak one keeps."""
+    """
+    One thruster, or one in each row (N,), that fails at a step.
 
-    thruster: int
+    `kind` of KINDS; `factor` is what a weak one keeps.
+    """
+
+    thruster: int | NDArray[np.int64]
     kind: str
     step: int = 0
     factor: float = 0.5
@@ -82,8 +86,7 @@ class ReactionControl:
         True centre of mass [m].
     scale : array_like, shape (N, T), (N,) or ()
         True thrust as a fraction of the nominal one.
-    failures : list of Failure
-        The same in all rows.
+    failures : tuple of Failure
     """
 
     def __init__(self, thrusters: ThrusterSet, settings: ThrusterParams, step_s: float,
@@ -118,13 +121,11 @@ class ReactionControl:
     def step(self, k: int, command: ArrayLike) -> Fired:
         """Carry all over step k under a command (N, T), true where a valve is to be open."""
         command = np.ascontiguousarray(command, dtype=bool)
-        wrench, mean = _compiled().fire(
+        wrench, mean, spent = _compiled().fire(
             command, self._opened, self._line, self._thrust, self._amplitude, self.pulses,
             self._amplitudes, self._kinds, self._since, self._factor, k, self._least_on,
-            self._columns, self._early, self._late, self._switch, self._lag, self._step_s)
-        spent = np.zeros(len(mean))
-        for t, flow in enumerate(self._flow):               # a sum in a fixed order
-            spent += mean[:, t]*(flow*self._step_s)
+            self._columns, self._early, self._late, self._switch, self._lag, self._step_s,
+            self._flow)
         return Fired(wrench, mean, spent)
 
 
@@ -146,15 +147,15 @@ def _failing(failures: tuple[Failure, ...], rows: int, count: int) -> tuple:
     kinds, since = np.zeros((2, rows, count), dtype=np.int64)
     factor = np.ones((rows, count))
     for failure in failures:
-        if not 0 <= failure.thruster < count:
+        which = np.broadcast_to(failure.thruster, (rows,))
+        if not np.all((which >= 0) & (which < count)):
             raise BadInput(f'failure: thruster must be between 0 and {count - 1}, '
                            f'got {failure.thruster}')
         if failure.kind not in KINDS:
             raise BadInput(f'failure: kind must be one of {", ".join(KINDS)}, '
                            f'got {failure.kind!r}')
-        kinds[:, failure.thruster] = KINDS[failure.kind]
-        since[:, failure.thruster] = failure.step
-        factor[:, failure.thruster] = failure.factor
+        at = np.arange(rows), which
+        kinds[at], since[at], factor[at] = KINDS[failure.kind], failure.step, failure.factor
     return kinds, since, factor
 
 

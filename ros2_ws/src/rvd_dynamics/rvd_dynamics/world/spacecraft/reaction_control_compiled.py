@@ -14,9 +14,11 @@ SOUND, STUCK_OFF, STUCK_ON, WEAK = 0, 1, 2, 3
 
 @compiled
 def fire(command, opened, line, thrust, amplitude, pulses, amplitudes, kinds, since, factor, k,
-         least_on, columns, early, late, switch, lag, h):
+         least_on, columns, early, late, switch, lag, h, flow):
     """
-    Carry all thrusters over step k in place; return wrench (N, nodes, 6) and mean thrust (N, T).
+    Carry all thrusters over step k in place.
+
+    Return wrench (N, nodes, 6), mean thrust (N, T), and the propellant (N,) of `flow` (T) [kg/s].
 
     `command` (N, T) bool. State: `opened` (N, T) steps for which a valve has been open, `line`
     (N, D + 2, T) amplitudes at valves on their way through the delay, newest first, `thrust`,
@@ -27,7 +29,7 @@ def fire(command, opened, line, thrust, amplitude, pulses, amplitudes, kinds, si
     """
     rows, count = command.shape
     nodes, depth = len(early), line.shape[1]
-    wrench, mean = np.zeros((rows, nodes, 6)), np.zeros((rows, count))
+    wrench, mean, spent = np.zeros((rows, nodes, 6)), np.zeros((rows, count)), np.zeros(rows)
     tau, rest = lag
     for r in range(rows):
         for t in range(count):
@@ -64,5 +66,6 @@ def fire(command, opened, line, thrust, amplitude, pulses, amplitudes, kinds, si
             end = after + (turn - after)*late[nodes - 1]
             # f = v - tau f', so its integral is that of v less tau times what it gained
             mean[r, t] = (before*rest + after*(h - rest) - tau*(end - f))/h
+            spent[r] += mean[r, t]*(flow[t]*h)
             thrust[r, t] = end if end > 1e-9 else 0.0
-    return wrench, mean
+    return wrench, mean, spent

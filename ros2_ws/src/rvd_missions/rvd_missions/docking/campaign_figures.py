@@ -1,0 +1,68 @@
+"""
+Figures of the mission's campaigns: which thruster's failure is survived, what the improvements bring.
+"""
+
+from typing import Any, TYPE_CHECKING
+
+import numpy as np
+
+from rvd_dynamics.recording.drawing import BLUE, CampaignFigure, canvas, INK, VERMILLION
+from rvd_missions.docking.commands import COUNT
+from rvd_missions.docking.planner_figures import FIGURES as PLANNERS
+from rvd_missions.docking.thruster_layout import layout
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure as Canvas
+
+
+def thrusters(results: Any) -> tuple['Canvas', str]:
+    """Draw the share of runs that hover, by thruster and condition."""
+    names = list(results.tables)
+    share = np.full((len(names), COUNT), np.nan)
+    for row, table in enumerate(results.tables.values()):
+        which = np.asarray(table['run']) % COUNT
+        for thruster in np.unique(which):
+            share[row, thruster] = np.mean(np.asarray(table['success'])[which == thruster])
+    figure = canvas(1.1 + 0.24*len(names), left=0.2)
+    axes = figure.subplots()
+    axes.imshow(share, cmap='cividis', vmin=0.0, vmax=1.0, aspect='auto', interpolation='nearest')
+    axes.set_yticks(range(len(names)), names)
+    axes.set_xticks(range(0, COUNT, 4), [str(i) for i in range(0, COUNT, 4)])
+    groups = layout().groups
+    for group in sorted(set(groups)):
+        at = [i for i, other in enumerate(groups) if other == group]
+        axes.text(np.mean(at), -0.75, group, ha='center', va='bottom', fontsize=7)
+        if at[0]:
+            axes.axvline(at[0] - 0.5, color=INK, linewidth=1.2)
+    axes.set_xlabel('thruster that fails')
+    axes.grid(False)
+    figure.subplots_adjust(bottom=0.5/figure.get_figheight(), top=1.0 - 0.35/figure.get_figheight())
+    return figure, 'Share of runs that hover: yellow all, dark blue none. Columns: the thruster.'
+
+
+def improvements(results: Any) -> tuple['Canvas', str]:
+    """Draw error of attitude and drift of the gyro of each condition, means over its runs."""
+    names = list(results.tables)
+    figure = canvas(0.8 + 0.2*len(names), left=0.36, wspace=0.12)
+    panels = figure.subplots(1, 2, sharey=True)
+    for axes, column, words in zip(panels, ('nav_attitude_error_deg', 'gyro_drift_deg_h'), (
+            'attitude error, rms of an axis [deg]', 'what is left of the bias [deg/h]')):
+        for at, (name, table) in enumerate(results.tables.items()):
+            values = np.asarray(table[column], dtype=float)
+            colour = VERMILLION if name.startswith('mistuned') else BLUE
+            axes.plot(values, np.full(len(values), at), '|', color=colour, alpha=0.4, markersize=5)
+            axes.plot(np.nanmean(values), at, 'o', color=colour, markersize=4)
+        axes.set(xlabel=words, xscale='log')
+        axes.invert_yaxis()
+    panels[0].invert_yaxis()                    # the axes share it: once is enough
+    panels[0].set_yticks(range(len(names)), names)
+    return figure, 'Each run and, as a dot, the mean of its condition.'
+
+
+FIGURES = {
+    'thrusters': CampaignFigure(thrusters, 'By thruster'),
+    'improvements': CampaignFigure(
+        improvements, 'What the improvements bring',
+        ('nav_attitude_error_deg', 'gyro_drift_deg_h')),
+    **PLANNERS,
+}
