@@ -8,6 +8,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from rvd_dynamics.bad_input import BadInput
+from rvd_dynamics.commands.codes import BY_NOBODY, BY_PILOT
 from rvd_dynamics.diagram.display import as_data, DERIVED, TRUTH
 from rvd_dynamics.diagram.in_process import fly
 from rvd_dynamics.diagram.scenario import parse
@@ -18,6 +19,7 @@ from rvd_groundstation.console.protocol import Stick
 from rvd_groundstation.console.provider import display_of, facts_of, on_ground
 from rvd_missions.docking.display import BEND, DockingDisplay, SLOSH
 from rvd_missions.docking.display_parts import seen, seen_turn
+from rvd_missions.docking.display_remote import PREDICTION, RemoteDisplay, TELEMETRY
 from rvd_missions.docking.signals import ESTIMATE, FEATURES, GUIDANCE, POSE, THRUST, TRUTH as TRUE
 
 TEXT = ('/**: {ros__parameters: {mission: docking, timeout_s: %g, limits: {from_s: 0.5}%s}}\n'
@@ -198,3 +200,35 @@ def test_with_the_dead_man_open_no_button_counts(steered):
 
 def test_without_an_operator_there_is_no_controller(plain):
     assert display_of(plain).display.controller is None
+
+
+# -- from the ground --------------------------------------------------------------------------
+
+def test_from_the_ground_the_craft_is_shown_as_it_was_and_as_it_will_be(plain):
+    from dataclasses import replace
+    remote = RemoteDisplay(replace(facts_of(plain), operator='console', mode='manual'), plain)
+    level = [0.0, 0.0, 0.0, 1.0]
+    down = remote.measured([-5.0, 0.1, 0.0, 0.02, 0.0, 0.0, *level, 0.0, 0.0, 0.0,
+                            -4.9, 0.0, 0.2, *level, 1.0])
+    made = remote.derive({
+        TELEMETRY: Sample(500, 3.7, True, down),
+        PREDICTION: Sample(500, 6.3, True, {
+            'position': [-4.948, 0.1, 0.0], 'velocity': [0.02, 0.0, 0.0], 'attitude': level,
+            'rate': [0.0]*3})})
+    assert made['distance'] == pytest.approx(2.0) and made['distance_ahead'] == pytest.approx(1.948)
+    assert made['closing'] == 0.02 and made['safety'] == ['HOLD', True]
+    assert_allclose(made['wanted'], [-3.4, -0.2, 0.0])
+    assert 'r' not in made                      # of another instant than the truth beside it
+    display = remote.display
+    assert display.link and display.lamps is None and display.camera.pixels is None
+    assert {signal for signal in display.parts() if signal.startswith('/onboard')} == set()
+    json.dumps(as_data(display))
+
+
+def test_a_command_of_hands_is_the_pilots_only_while_one_is_held(plain):
+    remote = RemoteDisplay(facts_of(plain), plain)
+    for flags, by in ((0, BY_NOBODY), (1, BY_PILOT), (2, BY_PILOT), (16, BY_NOBODY)):
+        said = Sample(1, 0.01, True, {'value': [0]*6 + [flags], 'by': 2})
+        remote.sent(said)
+        assert said.parts['by'] == by
+    assert remote.pilot([0.5]*6, [1]) == ([50.0]*6, True)

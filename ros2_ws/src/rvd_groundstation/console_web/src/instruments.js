@@ -158,8 +158,8 @@ export function readout(pair, target, tone = '') {
 // -- commands -----------------------------------------------------------------------------------
 
 export function commandText(value, digits) {
-  const words = value.toFixed(digits).replace('-', '−');
-  return value > 0 ? `+${words}` : words;
+  const words = number(value, digits);
+  return Number(value.toFixed(digits)) > 0 ? `+${words}` : words;
 }
 
 function barOf(colour) {

@@ -118,8 +118,10 @@ class DockingDisplay(MissionDisplay):
             'extent': float(max(1.15*max(wall, across), 0.1)),
             'cut': [f'at {distance:.2f} m', False],
             'angles': (DEG*attitude.rotation_vector(q)).tolist(), 'rates': (DEG*spin).tolist(),
-            'sigma_m': float(sigma[:3].max()), 'sigma_m_s': float(sigma[3:6].max()),
-            'sigma_deg': DEG*float(sigma[6:].max()),
+            'sigma_m': float(sigma[:3].max()), 'sigma_deg': DEG*float(sigma[6:].max()),
+            # of all three axes together, as the error beside it
+            'sigmas': [float(np.sqrt(np.sum(part*part))) for part in
+                       (1000.0*sigma[:3], 1000.0*sigma[3:6], DEG*sigma[6:])],
             'near': self._limits_at(-1.0) if hovers else None,
             'far': self._limits_at(1.0) if hovers else None}
 
@@ -173,7 +175,8 @@ class DockingDisplay(MissionDisplay):
         for i, slosh in enumerate(np.reshape(truth['sloshing'], (2, 3))):
             rest = np.array([self._tanks.place_m[i], 0.0, 0.0])
             made[f'liquid_{i}'] = seen(origin + attitude.rotate(turn, rest + SLOSH*slosh)).tolist()
-        made['tips'] = (1000.0*bending[:, -1]).tolist()
+        made['tip_mm'] = 1000.0*float(np.abs(bending[:, -1]).max())         # of the worse of two
+        made['slosh_mm'] = 1000.0*float(np.abs(truth['sloshing']).max())
         derived = shown.get(DERIVED, {})
         if derived.get('r') is not None:
             lost = attitude.rotation_vector(attitude.multiply(
@@ -266,11 +269,12 @@ class DockingDisplay(MissionDisplay):
                     high=of('fastest', factor=1000.0)),
                 row('across', 'mm', of('across', factor=1000.0), true('across', factor=1000.0),
                     high=of('wall', factor=1000.0)),
-                row('\u03c3 position', 'mm', of('sigma_m', factor=1000.0),
-                    true('error_mm', xyz), 2),
-                row('\u03c3 speed', 'mm/s', of('sigma_m_s', factor=1000.0),
-                    true('error_m_s', xyz, 1000.0), 2),
-                row('\u03c3 attitude', 'deg', of('sigma_deg'), true('error_deg', xyz), 3),
+                row('\u03c3 position', 'mm', of('sigmas', (0,)), true('error_mm', xyz), 2),
+                row('\u03c3 speed', 'mm/s', of('sigmas', (1,)), true('error_m_s', xyz, 1000.0),
+                    2),
+                row('\u03c3 attitude', 'deg', of('sigmas', (2,)), true('error_deg', xyz), 3),
+                Instrument('panel tip', 'mm', (Reading('truth', true('tip_mm')),), 1),
+                Instrument('liquid', 'mm', (Reading('truth', true('slosh_mm')),), 1),
                 row('markers', '', of('usable'), digits=0),
                 row('propellant', 'g', of('spent', factor=1000.0),
                     true('propellant', factor=1000.0), 0))),

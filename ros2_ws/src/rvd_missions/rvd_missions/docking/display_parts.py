@@ -67,8 +67,8 @@ def hands() -> Controller:
          Axis('pitch', 'nose up', 'nose down', (('ArrowUp', 'ArrowDown'),), 3, True),
          Axis('yaw', 'nose right', 'nose left', (('ArrowRight', 'ArrowLeft'),), 2)),
         (0.25, 0.5, 1.0), verb='go',
-        buttons=(Button('way', 'translation by pulses or by rates, while held', 'ShiftLeft', 5),
-                 Button('turning', 'rotation by pulses or by rates, while held', 'ControlRight', 0),
+        buttons=(Button('way', 'translation by pulses or by rates, while held', 'KeyC', 5),
+                 Button('turning', 'rotation by pulses or by rates, while held', 'KeyB', 0),
                  Button('resume', 'take over again after HOLD or RETREAT', 'Backspace', 9)),
         hands=(Hand('/joy/translation', AXES[:3], ('way', 'resume')),
                Hand('/joy/rotation', AXES[3:], ('turning',))))

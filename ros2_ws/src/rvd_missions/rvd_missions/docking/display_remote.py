@@ -5,24 +5,26 @@ Valves, images and the confidence of the filters stay on board, so that lamps, m
 not shown. The frame is that of `display`.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
+from rvd_dynamics.commands.codes import BY_NOBODY, BY_PILOT
 from rvd_dynamics.diagram.display import (
     Body, Box, Chart, Charts, CommandAxis, CommandRow, Commands, DERIVED, Display, Gauge,
     Instrument, Instruments, Legend, Needles, Number, Reading, Ref, Spot, Trail, TRUTH)
 from rvd_dynamics.diagram.scenario import Scenario
 from rvd_groundstation.console.decode import Sample
-from rvd_groundstation.console.provider import RunFacts
+from rvd_groundstation.console.provider import PILOT, RunFacts
 from rvd_missions.docking import markers, safety
 from rvd_missions.docking.display import DockingDisplay
 from rvd_missions.docking.display_parts import AXES, seen
 
 TELEMETRY, PREDICTION, COMMAND = '/ground/telemetry', '/ground/prediction', '/ground/command'
 PERCENT = 100.0
+HELD = 1 | 2                            # of the last number of a command: either is held
 # What comes down, in order: the estimate, place and attitude that are held, the safety state.
 DOWN = (('position', 3), ('velocity', 3), ('attitude', 4), ('rate', 3), ('reference', 3),
         ('held', 4), ('safety', 1))
@@ -47,7 +49,14 @@ class RemoteDisplay(DockingDisplay):
         return made
 
     def sent(self, sample: Sample) -> None:
-        """Keep no books: what goes up are deflections, and valves stay on board."""
+        """Keep no books: what goes up are deflections, of somebody if a flag of HELD says so."""
+        value = sample.parts['value']
+        sample.parts['by'] = BY_PILOT if len(value) > len(AXES) and value[-1] & HELD else BY_NOBODY
+
+    def pilot(self, axes: Sequence[float], buttons: Sequence[int]) -> tuple[list[float], bool]:
+        """Return the six deflections in percent, and whether anybody holds the controllers."""
+        value, valid = super().pilot(axes, buttons)
+        return [PERCENT*v for v in value], valid
 
     def derive(self, newest: Mapping[str, Sample]) -> dict[str, Any]:
         """Return what is drawn of the craft as it was, and as it will be."""
@@ -98,9 +107,9 @@ class RemoteDisplay(DockingDisplay):
                            gauge=Gauge('mm/s', -20.0, 80.0, 10.0, 2, closing, digits=0)),
             instruments=Instruments('Approach', (
                 both('distance', 'mm', 'distance', 1000.0, 0, True),
-                both('closing', 'mm/s', 'closing', 1000.0,
+                both('closing', 'mm/s', 'closing', 1000.0, 0,
                      high=Number(DERIVED, 'fastest', (0,), 1000.0)),
-                both('across', 'mm', 'across', 1000.0, 1, True,
+                both('across', 'mm', 'across', 1000.0, 0, True,
                      high=Number(DERIVED, 'wall', (0,), 1000.0)))),
             section=replace(shown.section, spots=(
                 *shown.section.spots, Spot('predicted', Ref(DERIVED, 'port_ahead'), 'ring'))),
@@ -109,7 +118,8 @@ class RemoteDisplay(DockingDisplay):
                 *shown.attitude.needles[1:])),
             commands=Commands(
                 'Hands, percent', tuple(CommandAxis(name, PERCENT) for name in AXES), COMMAND,
-                (CommandRow('sent', 'sent', Ref(COMMAND, 'value')),)),
+                (*((CommandRow('hands', 'pilot', Ref(PILOT, 'value')),) if hand else ()),
+                 CommandRow('sent', 'sent', Ref(COMMAND, 'value')))),
             controller=shown.controller if hand else None,
             charts=Charts('Course', (
                 Chart('distance, m', (Number(DERIVED, 'distance'), Number(DERIVED, 'distance_ahead'),

@@ -129,12 +129,12 @@ def _display(facts: RunFacts, preparation: Preparation) -> Display:
                Flat('Orbit plane', '+x', '+y', (50.0, 0.0, 0.0), 120.0),
                Flat('Above', '+x', '-z', (50.0, 0.0, 0.0), 120.0)),
         instruments=Instruments('Approach', (
-            shown('range, planned', 'm', 'range', true=Number(TRUTH, 'target', (0, 1, 2))),
+            shown('range (plan)', 'm', 'range', true=Number(TRUTH, 'target', (0, 1, 2))),
             shown('tension', 'N', 'tension', digits=3, true=Number(TRUTH, 'tension')),
             shown('sight angle', 'rad', 'sight_angle', digits=3, high=approach.view_rad),
             shown('length error', 'mm', 'error', (0,), 1, factor=1000.0),
-            shown('bearing, in plane', 'mrad', 'error', (1,), factor=1000.0),
-            shown('bearing, across', 'mrad', 'error', (2,), factor=1000.0),
+            shown('bearing \u03b1', 'mrad', 'error', (1,), factor=1000.0),
+            shown('bearing \u03b2', 'mrad', 'error', (2,), factor=1000.0),
             shown('roll error', 'mrad', 'error', (3,), factor=1000.0),
             shown('pitch error', 'mrad', 'error', (4,), factor=1000.0),
             shown('yaw error', 'mrad', 'error', (5,), factor=1000.0))),
@@ -157,6 +157,6 @@ def _display(facts: RunFacts, preparation: Preparation) -> Display:
             Chart('tension, N', (Number(SAID, 'tension'),), least=0.5, centred=False,
                   levels=(0.0,)),
             errors('length, mm', (0,), (), 1.0),
-            errors('error, mrad', (1, 2), ('in plane', 'across'), 0.05),
+            errors('error, mrad', (1, 2), ('bearing \u03b1, in plane', '\u03b2, across'), 0.05),
             errors('error, mrad ', (3, 4, 5), ('roll', 'pitch', 'yaw'), 0.5)), window_s=100.0),
         modes=(), abort='braking by the tether', goal='arriving before the target')
