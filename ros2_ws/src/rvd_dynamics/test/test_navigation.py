@@ -119,6 +119,13 @@ def test_nothing_is_known_before_the_first_pose():
     assert np.isnan(nis[:first + 9]).all() and np.isfinite(nis[first + 10]).all()
 
 
+@lru_cache(maxsize=None)
+def scattered(latency):
+    """Return what `flown` does of 60 runs of 20 s whose unit is as the filters assume."""
+    return flown(FilterParams(accel_sigma_m_s2=1e-3), 20.0, rows=60, seed=5, latency=latency,
+                 unit=InertialParams(gyro_walk_rad_s=1e-6))
+
+
 def test_errors_are_as_large_as_the_filters_say():
     """
     NIS and NEES of 60 runs of 20 s: each mean within its 99.9 % interval, about dof.
@@ -126,9 +133,7 @@ def test_errors_are_as_large_as_the_filters_say():
     All but the NEES of the position: an error of the attitude stays for many frames, and the
     filter takes its share in what the camera shows for new in each. It is 11 in place of 9.
     """
-    unit = InertialParams(gyro_walk_rad_s=1e-6)
-    params = FilterParams(accel_sigma_m_s2=1e-3)
-    nav, imu, q, errors, nis = flown(params, 20.0, rows=60, seed=5, unit=unit)
+    nav, imu, q, errors, nis = scattered(0)
     mean = np.nanmean(nis[300:], axis=(0, 1))
     assert mean[0] == pytest.approx(3.0, abs=0.1)
     assert mean[1] == pytest.approx(3.0, abs=0.1)
@@ -146,10 +151,8 @@ def test_errors_are_as_large_as_the_filters_say():
 
 def test_a_late_camera_is_met_exactly():
     """The means are carried from its instant: NIS stays that of a prompt one."""
-    unit = InertialParams(gyro_walk_rad_s=1e-6)
-    params = FilterParams(accel_sigma_m_s2=1e-3)
     for latency in (0, 5):
-        *_, nis = flown(params, 20.0, rows=60, seed=6, unit=unit, latency=latency)
+        *_, nis = scattered(latency)
         assert np.nanmean(nis[300:], axis=(0, 1)) == pytest.approx([3.0, 3.0], abs=0.15)
 
 

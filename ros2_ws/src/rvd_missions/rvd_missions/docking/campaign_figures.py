@@ -15,6 +15,27 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure as Canvas
 
 
+LIMITED = {'hover_min_m': 'least distance [m]', 'hover_max_m': 'greatest distance [m]',
+           'lateral_m': 'greatest offset in y or z [m]', 'attitude_deg': 'greatest angle [deg]'}
+
+
+def margins(results: Any) -> tuple['Canvas', str]:
+    """Draw how the runs of all conditions fill the limits."""
+    scenario = results.campaign.conditions[0].scenario
+    aim, limits = scenario.part('aim'), scenario.part('limits')
+    bounds = {'hover_min_m': aim.distance_m - limits.band_m,
+              'hover_max_m': aim.distance_m + limits.band_m, 'lateral_m': limits.lateral_m,
+              'attitude_deg': limits.attitude_deg}
+    figure = canvas(2.1, left=0.06, wspace=0.12)
+    for axes, (name, words) in zip(figure.subplots(1, len(LIMITED)), LIMITED.items()):
+        values = np.concatenate([np.asarray(table[name], dtype=float)
+                                 for table in results.tables.values()])
+        axes.hist(values[np.isfinite(values)], bins=40, color=BLUE)
+        axes.axvline(bounds[name], color=VERMILLION, linewidth=1.2)
+        axes.set(xlabel=words, yticks=[])
+    return figure, 'Runs by what is judged while they hover; red: the limit.'
+
+
 def thrusters(results: Any) -> tuple['Canvas', str]:
     """Draw the share of runs that hover, by thruster and condition."""
     names = list(results.tables)
@@ -60,6 +81,7 @@ def improvements(results: Any) -> tuple['Canvas', str]:
 
 
 FIGURES = {
+    'margins': CampaignFigure(margins, 'How the limits are filled', tuple(LIMITED)),
     'thrusters': CampaignFigure(thrusters, 'By thruster'),
     'improvements': CampaignFigure(
         improvements, 'What the improvements bring',

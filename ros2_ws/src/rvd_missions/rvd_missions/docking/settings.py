@@ -165,8 +165,8 @@ def faces(position: ArrayLike, q: ArrayLike, target: ArrayLike, centre: ArrayLik
 
 
 def rows(value: ArrayLike, width: int) -> Array:
-    """Return (..., width) as rows (N, width) for compiled loops."""
-    return np.ascontiguousarray(value, dtype=float).reshape(-1, width)
+    """Return (..., width) as rows (N, width) for compiled loops, a copy: never read-only."""
+    return np.array(value, dtype=float, order='C').reshape(-1, width)
 
 
 @lru_cache(maxsize=1)

@@ -129,7 +129,7 @@ class Navigation:
         self._samples[:, :-1] = self._samples[:, 1:]
         self._samples[:, -1, :3], self._samples[:, -1, 3:] = rate, force
         place, turn, covariance = self._nothing if pose is None else (
-            np.ascontiguousarray(part, dtype=float) for part in pose)
+            np.array(part, dtype=float, order='C') for part in pose)  # read-only: compiled again
         nis = _compiled().advance(
             self.attitude, self.bias, self.attitude_covariance, self.state, self.covariance,
             self.known, self._samples, place, turn, covariance, self._settings, self._noises,

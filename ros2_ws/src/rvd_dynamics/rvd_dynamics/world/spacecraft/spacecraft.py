@@ -331,8 +331,8 @@ def require_inertia(what: str, inertia: ArrayLike) -> None:
 
 
 def _full(value: ArrayLike, rows: int, width: int) -> Array:
-    return np.ascontiguousarray(
-        np.broadcast_to(np.asarray(value, dtype=float), (rows, width)))
+    # always a copy: numba compiles all of the loop once more for an array that is read-only
+    return np.array(np.broadcast_to(np.asarray(value, dtype=float), (rows, width)), order='C')
 
 
 @lru_cache(maxsize=1)
