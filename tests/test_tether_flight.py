@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from runs import ROOT
 
+from rvd_campaign.cli import main
 from rvd_dynamics.diagram.in_process import fly
 from rvd_dynamics.diagram.scenario import load, parse
 from rvd_dynamics.recording.reader import read
@@ -58,3 +59,34 @@ def test_a_plan_that_cannot_be_made_is_one_line_and_exit_code_2(tmp_path):
     assert flight.code == 2
     said, *_ = [line for line in flight.err.splitlines() if 'plan infeasible: ' in line]
     assert 'must be at' in said and 'reaches' in said and 'Traceback' not in flight.err
+
+
+BAD = {                                         # changes under /**; what the line must say
+    'slack': ({'tether__least_n': 0.0}, 'tether.least_n must be above 0: the tether could go slack, got 0'),
+    'bounds crossed': ({'tether__least_n': 12.0}, 'tether.least_n must be below most_n, 10, got 12'),
+    'abort outside': ({'tether__abort_n': 11.0},
+                      'abort_n must be between least_n and most_n, 0.02 and 10, got 11'),
+    'short tether': ({'approach__baseline_m': 20.5},
+                     'the tether would be shorter than the geometry, got 20.5'),
+    'out of view': ({'approach__attitude_rad': [0.0, 0.0, 0.5]},
+                    'have the target in the field of view at the start, 0.4 rad from the boresight, got 0.5 rad'),
+    'coarse step': ({'step_s': 1.0}, 'step_s must be at most 0.5'),
+    'no time': ({'timeout_s': 10.0}, 'timeout_s must be at least the approach takes, 20 s'),
+    'no plan': ({'planner__nodes': 10, 'approach__duration_s': [8.0, 8.0]},
+                'plan infeasible: tension must be at least 0.02 N, and the nearest motion reaches'),
+}
+
+
+@pytest.mark.parametrize('name', BAD)
+@pytest.mark.parametrize('mission', ['tether', 'tether_delay'])
+def test_what_cannot_be_flown_is_one_line_and_exit_code_2(mission, name, tmp_path, capsys):
+    """A campaign of one run: the line of `fly`, without bringing the graph up."""
+    changes, words = BAD[name]
+    changed = {k.replace('__', '.'): v for k, v in {**SHORT, **changes}.items()}
+    (tmp_path / 'bad.yaml').write_text(json.dumps({
+        'scenario': mission, 'runs': 1, 'set': {'/**': changed}, 'conditions': {'it': {}}}))
+    code = main(['campaign', str(tmp_path / 'bad.yaml'), '--workers', '1', '--out',
+                 str(tmp_path / 'out')])
+    said = [line for line in capsys.readouterr().err.splitlines() if line.strip()]
+    assert code == 2
+    assert words in said[-1] and not any('Traceback' in line for line in said)

@@ -317,3 +317,17 @@ def test_rotations_are_those_of_scipy(v):
     assert_allclose(geometry.to_body(q, geometry.to_inertial(q, x)), x, atol=1e-14)
     both = Rotation.from_quat(p)*Rotation.from_quat(q)
     assert_allclose(geometry.to_inertial(geometry.product(p, q), x), both.apply(x), atol=1e-14)
+
+
+def test_whatever_the_tracker_wants_the_gripper_gets_what_the_limits_allow():
+    """Noise of half a metre makes it want tens of newtons: clipped, and never a slack tether."""
+    noise = {'encoder_sigma_m': 0.5, 'bearing_sigma_rad': 0.02, 'attitude_sigma_rad': 0.05}
+    optimum.plan.cache_clear()
+    batch = flown(shared={**COARSE, 'step_s': 0.1}, record=[TRUTH.name], gripper_sensors=noise,
+                  gripper_tracker={'aborts_blind': False})
+    applied = batch.history[TRUTH.name].applied[1:, 0]
+    assert (applied >= LOW).all() and (applied <= HIGH).all()
+    for axis in (1, 2, 3, 5, 6):                        # each limit is felt
+        assert (applied[:, axis] == HIGH[axis]).any() and (applied[:, axis] == LOW[axis]).any()
+    assert batch.verdict.values['slack_s'][0] == 0.0
+    assert optimum.plan.cache_info().misses == 1        # tracker, ground and judge share one plan
