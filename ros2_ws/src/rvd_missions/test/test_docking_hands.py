@@ -208,6 +208,37 @@ def test_an_operator_resumes_from_hold_and_retreat_but_not_from_abort():
     assert safety.state.tolist() == [HOLD]*4
 
 
+# -- standard messages ----------------------------------------------------------------------------
+
+def test_frames_as_tf_have_their_parents_and_quaternions_in_order_and_a_step(monkeypatch):
+    """tf2_msgs has no wheel: a stand-in here, and rosbags for the bytes of the real one."""
+    import sys
+    from types import ModuleType, SimpleNamespace
+    from rosbags.typesys import get_typestore, Stores
+    from rvd_dynamics.diagram.ros.standard_codecs import Transforms
+    from rvd_dynamics.recording.steps import step_reader
+    from rvd_missions.docking import standard
+    package = ModuleType('tf2_msgs.msg')
+    package.TFMessage = SimpleNamespace
+    monkeypatch.setitem(sys.modules, 'tf2_msgs', ModuleType('tf2_msgs'))
+    monkeypatch.setitem(sys.modules, 'tf2_msgs.msg', package)
+    flown = scenario(1.0, 'steering: profile')
+    run, camera = flown.run, flown.part('camera')
+    q = attitude.from_rotation_vector(np.array([0.1, 0.2, 0.3]))
+    craft = SimpleNamespace(position=np.array([-6.0, 0.2, -0.1]), attitude=q,
+                            target_attitude=np.array([0.0, 0.0, 0.0, 1.0]))
+    place, turn = standard.transforms(craft, craft, camera)
+    codec = Transforms(standard.TF, run, standard.frames(run))
+    made = codec.encode(250, standard.TF(place=place, turn=turn)).transforms
+    assert [(t.header.frame_id, t.child_frame_id) for t in made] == list(standard.frames(run))
+    assert (made[1].transform.rotation.w, made[1].transform.rotation.x) == (q[3], q[0])
+    assert made[1].transform.translation.x == -6.0 and made[3].transform.translation.x == 0.9
+    store = get_typestore(Stores.ROS2_JAZZY)
+    message = standard._message(store, standard.frames(run), place, turn, 250*run.step_ns)
+    data = bytes(store.serialize_cdr(message, 'tf2_msgs/msg/TFMessage'))
+    assert step_reader('tf2_msgs/msg/TFMessage', run.step_ns)(data) == 250
+
+
 # -- flights --------------------------------------------------------------------------------------
 
 def scenario(seconds, shared, **sections):
