@@ -29,7 +29,8 @@ class Stereo:
 
     def step(self, k: int, features: Any) -> dict[str, Any]:
         """Return the pose of the features of step k."""
-        return {'pose': of(self._poses.poses(features.pixels), features)}
+        counted = self._poses.mode.copy()           # those that this view is solved with
+        return {'pose': of(self._poses.poses(features.pixels), features, counted)}
 
 
 class Images:
@@ -43,10 +44,11 @@ class Images:
 
     def step(self, k: int, blobs: Any) -> dict[str, Any]:
         """Return the pose of the blobs of step k."""
-        return {'pose': of(self._poses.poses(blobs.blobs), blobs)}
+        counted = self._poses.mode.copy()
+        return {'pose': of(self._poses.poses(blobs.blobs), blobs, counted)}
 
 
-def of(pose: Any, seen: Any) -> Any:
+def of(pose: Any, seen: Any, counted: Any) -> Any:
     """Return a pose as the signal."""
     return POSE(place=pose.place, turn=pose.turn, covariance=pose.covariance, usable=pose.usable,
-                exposed=seen.exposed)
+                exposed=seen.exposed, markers=counted)

@@ -236,7 +236,8 @@ class SimpleCamera:
         return {'pose': POSE(
             place=np.where(lost, np.nan, place), turn=np.where(lost, np.nan, seen),
             covariance=np.broadcast_to(self._covariance, (*offset.shape[:-1], 6, 6)),
-            usable=usable, exposed=np.int64(k - self._late))}
+            usable=usable, exposed=np.int64(k - self._late),
+            markers=np.full(usable.shape, -1))}
 
 
 def mounted(settings: SeeingParams, own: Any, batch: tuple) -> tuple[NDArray, tuple]:
