@@ -7,6 +7,7 @@ opens the thrusters of its axis, whose loop rests. From HOLD on the craft flies 
 operator resumes; the attitude then goes back to that of the target at the rate of a full deflection.
 """
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -32,8 +33,9 @@ class HandController(Controller):
     """Does what two hand controllers ask for, within the safety strategy."""
 
     def __init__(self, settings: ControllerParams, run: Run, aim: Aim, orbit: OrbitParams,
-                 form: ValveForm, hand_form: HandForm, batch: tuple) -> None:
-        super().__init__(settings, run, aim, orbit, form, batch)
+                 form: ValveForm, hand_form: HandForm, runs: Sequence[int],
+                 batch: tuple) -> None:
+        super().__init__(settings, run, aim, orbit, form, runs, batch)
         rows = int(np.prod(batch, dtype=int))
         hand = hand_form.hand
         self._hands = Hands(hand, run.step_s, rows)
@@ -67,7 +69,7 @@ class HandController(Controller):
         change = np.concatenate([attitude.rotate_back(q, speed - v), turning - spin], axis=-1)
         demand = self._loops.step(error, change)
         demand = np.where(np.repeat(drifts, 3, axis=-1), wish.push, demand)
-        valves = self._shares.open(self._allocation(demand))
+        valves = self._shares.open(self._allocated(demand))
         backing = (state == RETREAT) & (demand[:, 0] < 0.0)
         valves = valves | (backing[:, None] & self._brake)
         abort, out = (state == ABORT) | self._aborted, self._out

@@ -150,7 +150,7 @@ class Dynamics:
         """Return where the liquid of each tank is from its place at rest (N, 2, 3) [m]."""
         made = np.zeros((len(self._state), 2, 3))
         for i, tank in enumerate(self._craft.tanks):
-            swing = self._of_state(f'tank_{i}')/np.sqrt(tank.mass)
+            swing = self._of_state(f'tank_{i}')/np.sqrt(np.reshape(tank.mass, (-1, 1)))
             for j, axis in enumerate(np.atleast_2d(tank.axes)):
                 made[:, i] += swing[:, j:j + 1]*axis
         return made

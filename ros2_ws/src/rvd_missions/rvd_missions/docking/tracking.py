@@ -2,6 +2,7 @@
 The controller that tracks a plan of the ground: six loops on what came up in place of the profile.
 """
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -20,8 +21,8 @@ class TrackingController(Controller):
     """Holds its attitude and stays where it is until a whole plan has come up; then tracks it."""
 
     def __init__(self, settings: ControllerParams, run: Run, aim: Aim, orbit: OrbitParams,
-                 form: ValveForm, batch: tuple) -> None:
-        super().__init__(settings, run, aim, orbit, form, batch)
+                 form: ValveForm, runs: Sequence[int], batch: tuple) -> None:
+        super().__init__(settings, run, aim, orbit, form, runs, batch)
         self._memory = Memory(len(self._held))
 
     def step(self, k: int, estimate: Any, plan: Any, control: Control) -> dict[str, Any]:
