@@ -46,5 +46,5 @@ MISSION = Mission(
     diagram=f'{HERE}.diagram:diagram',
     judge=f'{HERE}.judge:Judge',
     figures=f'{HERE}.figures:FIGURES',
-    display=f'{HERE}.display:display',
+    display=f'{HERE}.display_remote:display',
 )

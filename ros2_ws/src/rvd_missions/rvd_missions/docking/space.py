@@ -216,7 +216,7 @@ class SimpleCamera:
         return {'pose': POSE(
             place=np.where(lost, np.nan, place), turn=np.where(lost, np.nan, seen),
             covariance=np.broadcast_to(self._covariance, (*offset.shape[:-1], 6, 6)),
-            usable=usable, exposed=np.int64(k - self._late))}
+            usable=usable, exposed=np.int64(k - self._late), markers=np.full_like(usable, -1))}
 
 
 def _by_view(views: NDArray) -> tuple[NDArray, NDArray]:
