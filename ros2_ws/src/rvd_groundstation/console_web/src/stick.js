@@ -180,19 +180,23 @@ export class Stick {
     }, 0);
   }
 
+  withButtons(state) {
+    return this.buttons.length ? { ...state, buttons: this.pressed() } : state;
+  }
+
   // `at`: the deflection of each axis.
   state() {
     if (this.source === 'gamepad') {
       const held = this.holds();
-      return { held, buttons: this.pressed(), at: held ? this.deflection(this.gamepad).map((v, i) => (this.armed[i] ? v : 0)) : this.axes.map(() => 0) };
+      return this.withButtons({ held, at: held ? this.deflection(this.gamepad).map((v, i) => (this.armed[i] ? v : 0)) : this.axes.map(() => 0) });
     }
     const at = this.axes.map(() => 0);
     for (const code of this.down) {
       if (this.keys.has(code)) at[this.keys.get(code)[0]] += this.keys.get(code)[1];
     }
     const deflection = this.deflections[this.step - 1];
-    return { held: there() && (!this.settings.holdSpace || this.down.has('Space')), buttons: this.pressed(),
-      at: at.map((v) => Math.max(-1, Math.min(1, v)) * deflection) };
+    return this.withButtons({ held: there() && (!this.settings.holdSpace || this.down.has('Space')),
+      at: at.map((v) => Math.max(-1, Math.min(1, v)) * deflection) });
   }
 
   send(now) {

@@ -69,6 +69,6 @@ MISSION = Mission(
     diagram=f'{HERE}.diagram:diagram',
     judge=f'{HERE}.judge:Judge',
     figures=f'{HERE}.figures:FIGURES',
-    display=f'{HERE}.display:display',
+    display=f'{HERE}.display_remote:display',
     campaign_figures=f'{HERE}.campaign_figures:FIGURES',
 )

@@ -22,7 +22,7 @@ from rvd_dynamics.diagram.scenario import Scenario
 from rvd_dynamics.geometry.pinhole import CameraParams
 from rvd_dynamics.motion import attitude
 from rvd_groundstation.console.decode import Sample
-from rvd_groundstation.console.provider import has_ground, MissionDisplay, PILOT, RunFacts
+from rvd_groundstation.console.provider import MissionDisplay, PILOT, RunFacts
 from rvd_missions.docking import markers, safety
 from rvd_missions.docking.display_parts import (
     AXES, chaser, CHORD_M, forms, hands, lamps, LIQUID_M, NEAR_X, seen, seen_turn, target)
@@ -35,14 +35,6 @@ BEND, SLOSH = 30.0, 5.0                 # what is drawn of the truth is larger b
 FADE_S = 0.7                            # [s] wall time in which a lamp goes out
 G0 = 9.80665                            # [m/s^2]
 ISP_S = 290.0                           # [s] that the books are kept with
-
-
-def display(facts: RunFacts, scenario: Scenario) -> MissionDisplay:
-    """Return the display of a run: of a craft that is steered from the ground, or of any other."""
-    if has_ground(scenario.diagram):
-        from rvd_missions.docking.display_remote import RemoteDisplay
-        return RemoteDisplay(facts, scenario)
-    return DockingDisplay(facts, scenario)
 
 
 class DockingDisplay(MissionDisplay):

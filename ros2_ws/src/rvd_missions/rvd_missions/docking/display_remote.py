@@ -17,7 +17,7 @@ from rvd_dynamics.diagram.display import (
     Instrument, Instruments, Legend, Needles, Number, Reading, Ref, Spot, Trail, TRUTH)
 from rvd_dynamics.diagram.scenario import Scenario
 from rvd_groundstation.console.decode import Sample
-from rvd_groundstation.console.provider import PILOT, RunFacts
+from rvd_groundstation.console.provider import has_ground, PILOT, RunFacts
 from rvd_missions.docking import markers, safety
 from rvd_missions.docking.display import DockingDisplay
 from rvd_missions.docking.display_parts import AXES, seen
@@ -29,6 +29,12 @@ HELD = 1 | 2                            # of the last number of a command: eithe
 DOWN = (('position', 3), ('velocity', 3), ('attitude', 4), ('rate', 3), ('reference', 3),
         ('held', 4), ('safety', 1))
 AHEAD = ('chaser', 'turn', 'port', 'distance', 'across', 'closing', 'angles', 'rates')
+
+
+def display(facts: RunFacts, scenario: Scenario) -> DockingDisplay:
+    """Return the display of a run: of a craft that is steered from the ground, or of any other."""
+    kind = RemoteDisplay if has_ground(scenario.diagram) else DockingDisplay
+    return kind(facts, scenario)
 
 
 class RemoteDisplay(DockingDisplay):
