@@ -20,17 +20,12 @@ from numpy.typing import NDArray
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.params import param, require, settings
 from rvd_dynamics.diagram.run import Run
-from rvd_dynamics.diagram.streams import StartNormals
 from rvd_dynamics.world.spacecraft.spacecraft import Spacecraft
 from rvd_missions.docking.commands import COUNT
+from rvd_missions.docking.scatter_draws import CANDIDATES, MODES, PROPERTIES, WIDTH
 from rvd_missions.docking.settings import Chaser
 
 Array = NDArray[np.float64]
-CANDIDATES = 8
-# normals of one candidate: mass, inertia, products, both panels' modes (frequency, participation),
-# tanks (mass, frequency), centre, camera (turn, place), thrusters
-MODES, WIDTH = 8, 1 + 3 + 3 + 4*8 + 4 + 3 + 6 + COUNT
-PROPERTIES = StartNormals('docking/dynamics/properties', CANDIDATES*WIDTH)
 
 
 @settings
