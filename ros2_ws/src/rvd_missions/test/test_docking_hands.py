@@ -245,8 +245,8 @@ def scenario(seconds, shared, **sections):
     """Return a scenario of some length with the simple camera."""
     text = ('/**: {ros__parameters: {mission: docking, seeing: {camera: simple}, '
             f'timeout_s: {seconds}, limits: {{from_s: 0.5}}, {shared}}}}}\n')
-    for name, given in {'onboard_guard': 'abort_burn_s: 2.0', **sections}.items():
-        text += f'{name}: {{ros__parameters: {{{given}}}}}\n'
+    for name, told in {'onboard_guard': 'abort_burn_s: 2.0', **sections}.items():
+        text += f'{name}: {{ros__parameters: {{{told}}}}}\n'
     return parse(text, 'test')
 
 

@@ -28,7 +28,9 @@ from rvd_missions.docking.settings import Aim, LATEST_S, OrbitParams, Start
 
 Array = NDArray[np.float64]
 KNOTS = 64
-BETWEEN = 0.01                          # by which a limit may be broken between nodes: 1 %, 1 cm
+# By how much a limit, which holds at the nodes, may be broken between them: a part of speed or
+# acceleration, and [m].
+BETWEEN, BETWEEN_M = 0.05, 0.01
 PACKET = 9                              # numbers in a packet
 TOUCHING_M = float(CHASER_PORT[0] - TARGET_PORT[0])     # distance of the centres then
 
@@ -111,7 +113,8 @@ def nominal(planner: Any, closing: ClosingTask, orbit: OrbitParams, start: Start
         names the constraint in the way.
     """
     made = maker(planner, closing, orbit, aim)
-    allowed = BETWEEN*np.array([closing.max_speed_m_s, closing.max_acceleration_m_s2, 1.0, 1.0])
+    allowed = np.array([BETWEEN*closing.max_speed_m_s, BETWEEN*closing.max_acceleration_m_s2,
+                        BETWEEN_M, BETWEEN_M])
     try:
         found = made.plan(Ends([*start.position_m, 0.0, 0.0, 0.0], goal(aim)))
         kept = margins(made.task, found)
