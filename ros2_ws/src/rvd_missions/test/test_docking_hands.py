@@ -239,6 +239,20 @@ def test_frames_as_tf_have_their_parents_and_quaternions_in_order_and_a_step(mon
     assert step_reader('tf2_msgs/msg/TFMessage', run.step_ns)(data) == 250
 
 
+def test_the_twist_of_an_odometry_is_how_the_pose_changes_at_any_attitude():
+    """By scipy: LVLH turns at (0, -n, 0), the body at its inertial rate; n made large."""
+    from types import SimpleNamespace
+    from rvd_missions.docking.standard import motion
+    n, dt, rate = 0.05, 1e-5, np.array([0.02, -0.03, 0.04])
+    q, v = attitude.from_rotation_vector(np.array([0.7, -1.1, 0.4])), np.array([0.3, -0.2, 0.1])
+    twist = motion(SimpleNamespace(position=np.zeros(3), velocity=v, attitude=q, rate=rate), n)
+    body = Rotation.from_quat(q)
+    frame = Rotation.from_rotvec([0.0, -n*dt, 0.0])
+    later = frame.inv()*body*Rotation.from_rotvec(dt*rate)
+    assert_allclose(twist['angular'], (body.inv()*later).as_rotvec()/dt, atol=1e-6)
+    assert_allclose(twist['linear'], body.inv().apply(v), atol=1e-15)
+
+
 # -- flights --------------------------------------------------------------------------------------
 
 def scenario(seconds, shared, **sections):
