@@ -4,8 +4,6 @@ The craft as the ground takes it to move, compiled; `six_dof` says what the arra
 
 from math import atan2, cos, sin, sqrt
 
-import numpy as np
-
 from rvd_dynamics.compiled import compiled
 
 # Positions in a row of telemetry.
@@ -74,7 +72,7 @@ def share(error, rate, model, at):
 @compiled
 def predict(rows, begin, push, speed, spin, drifts, resume, model, out):
     """
-    Carry each row of telemetry (N, 21) over the wishes (S, N, ...) from `begin` (N,) on, into `out`.
+    Carry rows of telemetry (N, 21) over the wishes (S, N, ...) from `begin` (N,) on, into `out`.
 
     `out` (N, 13) gets position, velocity, attitude and rate.
     """

@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.commands.codes import KIND_ABORT, KIND_THRUST
 from rvd_dynamics.commands.hand import HandParams, read, together
-from rvd_dynamics.diagram.block import Block
 from rvd_dynamics.diagram.control import Control
 from rvd_dynamics.diagram.run import Run
 from rvd_dynamics.diagram.scenario import Scenario
@@ -86,7 +85,7 @@ class HandPilot:
 
 
 class HandUplink:
-    """Makes one command of both controllers, and the uplink that carries it; an ABORT goes first."""
+    """Makes one command of both controllers and the uplink that carries it; an ABORT goes first."""
 
     def __init__(self, batch: tuple) -> None:
         self._batch = batch

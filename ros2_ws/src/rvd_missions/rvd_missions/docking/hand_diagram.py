@@ -1,5 +1,5 @@
 """
-What flying by hand adds to the data flow: aboard the controllers act at once, remote through a link.
+What flying by hand adds to the data flow: aboard the controllers act at once, remote by a link.
 
     aboard    docking_navigation -> hand_pilot -> docking_controller
 
