@@ -102,7 +102,7 @@ def test_a_joy_that_is_nobodys_says_why_and_is_neutral(axes, buttons, words):
     assert not hold.valid and not hold.deflection.any()
 
 
-# -- the predictor ----------------------------------------------------------------------------------
+# -- the predictor --------------------------------------------------------------------------------
 
 def telemetry(position=(-6.0, 0.2, -0.1), velocity=(0.02, -0.01, 0.01), turn=(0.02, -0.01, 0.03),
               rate=(0.0, 0.0, 0.0), safety=0):
@@ -239,14 +239,28 @@ def test_frames_as_tf_have_their_parents_and_quaternions_in_order_and_a_step(mon
     assert step_reader('tf2_msgs/msg/TFMessage', run.step_ns)(data) == 250
 
 
+def test_the_twist_of_an_odometry_is_how_the_pose_changes_at_any_attitude():
+    """By scipy: LVLH turns at (0, -n, 0), the body at its inertial rate; n made large."""
+    from types import SimpleNamespace
+    from rvd_missions.docking.standard import motion
+    n, dt, rate = 0.05, 1e-5, np.array([0.02, -0.03, 0.04])
+    q, v = attitude.from_rotation_vector(np.array([0.7, -1.1, 0.4])), np.array([0.3, -0.2, 0.1])
+    twist = motion(SimpleNamespace(position=np.zeros(3), velocity=v, attitude=q, rate=rate), n)
+    body = Rotation.from_quat(q)
+    frame = Rotation.from_rotvec([0.0, -n*dt, 0.0])
+    later = frame.inv()*body*Rotation.from_rotvec(dt*rate)
+    assert_allclose(twist['angular'], (body.inv()*later).as_rotvec()/dt, atol=1e-6)
+    assert_allclose(twist['linear'], body.inv().apply(v), atol=1e-15)
+
+
 # -- flights --------------------------------------------------------------------------------------
 
 def scenario(seconds, shared, **sections):
     """Return a scenario of some length with the simple camera."""
     text = ('/**: {ros__parameters: {mission: docking, seeing: {camera: simple}, '
             f'timeout_s: {seconds}, limits: {{from_s: 0.5}}, {shared}}}}}\n')
-    for name, told in {'onboard_guard': 'abort_burn_s: 2.0', **sections}.items():
-        text += f'{name}: {{ros__parameters: {{{told}}}}}\n'
+    for name, content in {'onboard_guard': 'abort_burn_s: 2.0', **sections}.items():
+        text += f'{name}: {{ros__parameters: {{{content}}}}}\n'
     return parse(text, 'test')
 
 
@@ -322,7 +336,7 @@ TAPE = '''t_s,axis_0,axis_1,axis_2,axis_3,axis_4,axis_5,button_0,button_1,button
 
 @pytest.mark.slow
 def test_after_a_retreat_the_operator_resumes_and_flies_on(tmp_path):
-    """From 1.8 m, 10 cm aside: J4 takes it to 3 m; hands are not heard until button 2 is pressed."""
+    """From 1.8 m, 10 cm aside: J4 takes it to 3 m; hands are not heard until button 2."""
     (tmp_path / 'tape.csv').write_text(TAPE)
     flown = fly(scenario(31.0, 'steering: aboard, operator: replay, start: {position_m: [-4.8, 0.1,'
                          ' 0.0], attitude_deg: [0.0, 0.0, 0.0]}',
@@ -333,7 +347,8 @@ def test_after_a_retreat_the_operator_resumes_and_flies_on(tmp_path):
     assert np.all(state[20:2600] == RETREAT) and np.all(state[2602:] == NOMINAL)
     assert truth.thrust[:, 0, 25:29].max() > 0.8
     assert away(truth)[2550] == pytest.approx(3.0, abs=0.06)
-    assert away(truth).max() < 3.35         # J2 alone stops it: (0.1 m/s)^2/(2 x 0.02 m/s^2) = 0.25 m
+    # J2 alone stops it: (0.1 m/s)^2/(2 x 0.02 m/s^2) = 0.25 m
+    assert away(truth).max() < 3.35
     assert np.abs(truth.velocity[2550:2600, 0]).max() < 0.025
     assert truth.velocity[-50:, 0, 0].mean() == pytest.approx(0.05, abs=0.02)
     assert away(truth)[-1] < away(truth)[2650] - 0.1

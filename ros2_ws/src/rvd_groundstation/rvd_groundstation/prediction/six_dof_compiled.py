@@ -72,7 +72,7 @@ def share(error, rate, model, at):
 @compiled
 def predict(rows, begin, push, speed, spin, drifts, resume, model, out):
     """
-    Carry each row of telemetry (N, 21) over the wishes (S, N, ...) from `begin` (N,) on, into `out`.
+    Carry rows of telemetry (N, 21) over the wishes (S, N, ...) from `begin` (N,) on, into `out`.
 
     `out` (N, 13) gets position, velocity, attitude and rate.
     """

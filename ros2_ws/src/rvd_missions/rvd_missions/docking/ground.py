@@ -85,12 +85,13 @@ class HandPilot:
 
 
 class HandUplink:
-    """Makes one command of both controllers, and the uplink that carries it; an ABORT goes first."""
+    """Makes one command of both controllers and the uplink that carries it; an ABORT goes first."""
 
     def __init__(self, batch: tuple) -> None:
         self._batch = batch
 
-    def step(self, k: int, translation: Any, rotation: Any, control: Control) -> dict[str, Any]:
+    def step(self, k: int, translation: Any, rotation: Any, prediction: Any, control: Control
+             ) -> dict[str, Any]:
         """Return the command of step k."""
         command = np.broadcast_to(together(translation, rotation), (*self._batch, 7))
         kind = np.uint8(KIND_ABORT if control.abort else KIND_THRUST)

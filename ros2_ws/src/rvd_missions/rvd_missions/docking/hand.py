@@ -4,7 +4,8 @@ The craft flown by hand: its controller, and what it sends down.
 The hands' wishes go through the loops, the allocation and the safety strategy of the automatic
 approach, and through the guard. Rates move the place and the attitude that the loops hold; a pulse
 opens the thrusters of its axis, whose loop rests. From HOLD on the craft flies by itself, until the
-operator resumes; the attitude then goes back to that of the target at the rate of a full deflection.
+operator resumes; the attitude then goes back to that of the target at the rate of a full
+deflection.
 """
 
 from collections.abc import Sequence

@@ -1,5 +1,5 @@
 """
-What flying by hand adds to the data flow: aboard the controllers act at once, remote through a link.
+What flying by hand adds to the data flow: aboard the controllers act at once, remote by a link.
 
     aboard    docking_navigation -> hand_pilot -> docking_controller
 
@@ -50,8 +50,9 @@ def others(scenario: Scenario) -> tuple[Block, ...]:
               writes={'estimate': estimate, 'prediction': prediction},
               settings=scenario.mission.sections['hand_predictor']),
         *_operator(scenario, GROUND, seen),
+        # sticks that are held make nothing fire: a command goes up with each prediction
         Block('hand_uplink', f'{HERE}.ground:HandUplink', GROUND, package=PACKAGE,
-              reads=_controllers(scenario), control=True,
+              reads={**_controllers(scenario), 'prediction': now(prediction)}, control=True,
               writes={'command': command, 'uplink': hands.UPLINK}),
         leg(scenario, 'link_forward', hands.UPLINK, hands.ARRIVAL, legs.forward))
 

@@ -61,6 +61,7 @@ class Navigation:
         rows = int(np.prod(batch, dtype=int))
         self._filters = Filters(settings, run.step_s, self._late, period*run.step_s,
                                 orbit.mean_motion, markers.TARGET_PORT, rows)
+        self._sample = np.zeros((2, rows, 3))
 
     def step(self, k: int, inertial: Any, pose: Any) -> dict[str, Any]:
         """Return the estimate of step k."""
@@ -69,11 +70,17 @@ class Navigation:
         if fresh:
             seen = (self._rows(pose.place, 3), self._rows(pose.turn, 4),
                     self._rows(pose.covariance, 6, 6))
-        now = self._filters.step(self._rows(inertial.rate, 3), self._rows(inertial.force, 3), seen)
+        now = self._filters.step(*self._felt(inertial), seen)
         return {'estimate': ESTIMATE(
             position=self._out(now.position), velocity=self._out(now.velocity),
             attitude=self._out(now.attitude), rate=self._out(now.rate), nis=self._out(now.nis),
             sigma=self._out(self._filters.sigma()))}
+
+    def _felt(self, inertial: Any) -> tuple[NDArray, NDArray]:
+        """Return rate and force (N, 3); the sample before goes on where one has not come."""
+        sample = np.stack([self._rows(inertial.rate, 3), self._rows(inertial.force, 3)])
+        self._sample = np.where(np.isfinite(sample), sample, self._sample)
+        return self._sample[0], self._sample[1]
 
     def _rows(self, value: NDArray, *shape: int) -> NDArray:
         return np.reshape(np.broadcast_to(value, (*self._batch, *shape)), (-1, *shape))

@@ -1,7 +1,7 @@
 """
 The mission in standard messages: odometry, inertial unit and frames, for RViz and Foxglove.
 
-    /chaser/odometry, /chaser/odometry/estimate     nav_msgs/Odometry, true and as the craft believes
+    /chaser/odometry, /chaser/odometry/estimate     nav_msgs/Odometry, true and believed
     /chaser/imu                                     sensor_msgs/Imu
     /tf                                             tf2_msgs/TFMessage, where tf2_msgs is installed
 

@@ -38,6 +38,7 @@ class FiringNode(RunNode):
         self._held: dict[str, HeldInput] = {}
         self._last: Input | None = None         # the input that comes last
         self._gated = False
+        self._taking = False                    # what waits in the middleware
         self._limit = self.run.last_step        # last step that may be fired so far
         host.firing.append(self)
 
@@ -142,12 +143,35 @@ class FiringNode(RunNode):
             self._refuse(given, step)
             return
         given.held[step] = item
-        if self.realtime and self.host.begun:
+        if self.realtime and self.host.begun and not self._taking:
             due = given.first_use(step, period)
+            if self._next < due:
+                self._take_waiting()
             while self._next < due and self._next <= self._limit and not self._is_over():
                 self.fire()
         if self._gated:
             self._look_at_gate()
+
+    def _take_waiting(self) -> None:
+        """
+        Take in what has arrived and waits for the executor, before any of it counts as missing.
+
+        The executor serves topics in turn, one message of each. In a process that is behind, an
+        input of every tenth step would overtake one of every step, for good.
+        """
+        self._taking = True
+        try:
+            for given in self._given:
+                subscription = self.subscriptions_of.get(given.topic)
+                while subscription is not None:
+                    with subscription.handle:
+                        found = subscription.handle.take_message(
+                            subscription.msg_type, subscription.raw)
+                    if found is None:
+                        break
+                    subscription.callback(found[0])
+        finally:
+            self._taking = False
 
     def _refuse(self, given: Input, step: int) -> None:
         """Leave out a message whose step cannot be; say so once for each topic."""
