@@ -27,7 +27,7 @@ from rvd_groundstation.console.decode import COMMANDS, link_of, SAMPLES, telemet
 from rvd_groundstation.console.hub import Hub
 from rvd_groundstation.console.params import ConsoleParams
 from rvd_groundstation.console.protocol import RELEASED, Stick
-from rvd_groundstation.console.provider import display_of, on_ground, PILOT
+from rvd_groundstation.console.provider import display_of, on_ground
 from rvd_interfaces.msg import LinkFrame, LinkStatus, RunEvent, Verdict
 from rvd_interfaces.srv import RunControl
 
