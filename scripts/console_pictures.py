@@ -25,8 +25,8 @@ SHARP = ('(() => { Object.assign(rvd.scene, {adaptive: false, quality: 2}); '
 FAST = SHARP.replace('quality: 2', 'quality: 0.5')
 
 
-# Of a mission that is watched: when the live picture is taken, and where the review stands [s]; what
-# is written into the forms before.
+# Of a mission that is watched: when the live picture is taken, and where the review stands [s];
+# what is written into the forms before.
 WATCHED = {'docking': (40.0, 8.0, {'/** timeout_s': '100'}), 'tether': (60.0, 14.0, {})}
 TALL = {'width': 1280, 'height': 800}
 
@@ -72,7 +72,8 @@ def watched(mission: str, images: Path) -> None:
             page.keyboard.press('l')
             page.click('[data-run]')
             until(page, 'rvd.review.on', 120.0)
-            page.evaluate(f'rvd.review.go(rvd.review.run.frames.findIndex((f) => f.t > {review_s}))')
+            page.evaluate('rvd.review.go(rvd.review.run.frames.findIndex('
+                          f'(f) => f.t > {review_s}))')
             page.evaluate(SHARP)
             page.wait_for_timeout(2500)
             page.screenshot(path=images / f'{mission}-console-review.png')

@@ -2,8 +2,9 @@
 What a page may say: a binary stick frame at 50 Hz, and a few requests as JSON text.
 
 Stick frame, 36 bytes little-endian: kind u8 = 1, held u8 (bit 0 the dead-man, then the other
-buttons in the order of the mission's controller), sequence u16, deflection of six axes as f32 in [-1, 1] (0 where a mission has fewer), instant of sampling f64 [ms since 1970,
-for benchmarks only].
+buttons in the order of the mission's controller), sequence u16, deflection of six axes
+as f32 in [-1, 1] (0 where a mission has fewer), instant of sampling f64 [ms since 1970, for
+benchmarks only].
 Whatever else comes is refused by name and never guessed at.
 """
 

@@ -1,8 +1,8 @@
 """
 What the console shows of the approach: what the craft says of itself and, in a review, the truth.
 
-Frame   of the scene: x as in LVLH towards the target, y up, away from the Moon (-z of LVLH), z to the
-        right as one looks along x (y of LVLH); from the target's centre.
+Frame   of the scene: x as in LVLH towards the target, y up, away from the Moon (-z of LVLH), z to
+        the right as one looks along x (y of LVLH); from the target's centre.
 Truth   panels that bend and liquids that move are measured by nothing on board, and the error of
         the navigation is not known there: all three are drawn of the truth, in a review alone.
         Propellant and pulses of a live run are booked from the valves that were commanded.
@@ -130,7 +130,8 @@ class DockingDisplay(MissionDisplay):
         wanted = np.array(sample.parts['reference'])
         if np.isfinite(wanted).all():
             port = wanted + markers.CHASER_PORT - markers.TARGET_PORT
-            made |= {'planned': -float(port[0]), 'wanted': seen(wanted + markers.CHASER_PORT).tolist(),
+            made |= {'planned': -float(port[0]),
+                     'wanted': seen(wanted + markers.CHASER_PORT).tolist(),
                      'behind': 1000.0*float(sample.parts['error'][0])}
         return made
 
@@ -203,6 +204,7 @@ class DockingDisplay(MissionDisplay):
         slope = float(np.tan(np.radians(b.cone_deg)))
         start = scenario.part('start').position_m
         far = -float(start[0]) + 1.0
+        band = (NEAR_X - self._limits_at(1.0), NEAR_X - self._limits_at(-1.0))
         hand = facts.operator == 'console' and facts.mode == 'manual'
 
         def of(part: str, index: tuple = (0,), factor: float = 1.0) -> Number:
@@ -220,18 +222,18 @@ class DockingDisplay(MissionDisplay):
             measured=ESTIMATE.name, link=False, stars=True,
             bodies=(
                 Body('target', 'target', target(), label='target'),
-                Body('chaser', 'measured', chaser(self._panels, self._tanks), Ref(DERIVED, 'chaser'),
-                     attitude=Ref(DERIVED, 'turn'), label='chaser'),
+                Body('chaser', 'measured', chaser(self._panels, self._tanks),
+                     Ref(DERIVED, 'chaser'), attitude=Ref(DERIVED, 'turn'), label='chaser'),
                 Body('truth', 'truth', (Box((3.0, 0.7, 0.7)),), Ref(TRUTH, 'seen'),
                      attitude=Ref(TRUTH, 'turn'), label='truth')),
             surfaces=(
-                Revolved('cone', 'limit', (-far, NEAR_X - b.near_m, NEAR_X - b.near_m + 1e-3, NEAR_X),
+                Revolved('cone', 'limit',
+                         (-far, NEAR_X - b.near_m, NEAR_X - b.near_m + 1e-3, NEAR_X),
                          ((far + NEAR_X)*slope, b.near_m*slope, b.near_lateral_m, b.near_lateral_m),
                          meridians=4, faint_meridians=8, rings=((NEAR_X - 1.0, slope),
                                                                 (NEAR_X - 3.0, 3.0*slope))),
-                Revolved('band', 'goal', (NEAR_X - self._limits_at(1.0), NEAR_X - self._limits_at(-1.0)),
-                         (0.3, 0.3), meridians=8, rings=(
-                             (NEAR_X - self._limits_at(1.0), 0.3), (NEAR_X - self._limits_at(-1.0), 0.3))),
+                Revolved('band', 'goal', band, (0.3, 0.3), meridians=8,
+                         rings=tuple((x, 0.3) for x in band)),
                 Sphere('wanted', 'goal', 0.06, Ref(DERIVED, 'wanted')),
                 *(Sphere(name, 'truth', LIQUID_M, Ref(TRUTH, f'liquid_{i}'))
                   for i, name in enumerate(('hydrogen', 'oxygen')) if self._tanks.sloshing)),
@@ -240,7 +242,8 @@ class DockingDisplay(MissionDisplay):
                    *(Line(f'panel_{i}', 'truth', Ref(TRUTH, f'panel_{i}')) for i in range(2)
                      if self._panels.flexible)),
             labels=(Label(f'{b.cone_deg:g} deg', (NEAR_X - 3.0, 3.0*slope, 0.0)),),
-            legend=(Legend('measured', 'estimate of the craft'), Legend('goal', 'planned port, band'),
+            legend=(Legend('measured', 'estimate of the craft'),
+                    Legend('goal', 'planned port, band'),
                     Legend('limit', 'cone'),
                     Legend('truth', f'truth, in a review: bending \u00d7{BEND:.0f}, '
                            f'liquids \u00d7{SLOSH:.0f}')),
@@ -254,8 +257,8 @@ class DockingDisplay(MissionDisplay):
                 Flat('Faces', '+x', '+y', (NEAR_X - 0.1, 0.0, 0.0), 1.4)),
             camera=self._camera(scenario.part('camera')),
             instruments=Instruments('Approach', (
-                row('distance', 'mm', of('distance', factor=1000.0), true('distance', factor=1000.0),
-                    0, of('near', factor=1000.0), of('far', factor=1000.0)),
+                row('distance', 'mm', of('distance', factor=1000.0),
+                    true('distance', factor=1000.0), 0, of('near', factor=1000.0), of('far', factor=1000.0)),
                 row('to plan', 'mm', of('behind')),
                 row('closing', 'mm/s', of('closing', factor=1000.0), digits=1,
                     high=of('fastest', factor=1000.0)),
@@ -271,7 +274,7 @@ class DockingDisplay(MissionDisplay):
                 row('propellant', 'g', of('spent', factor=1000.0),
                     true('propellant', factor=1000.0), 0))),
             section=Section(
-                'Port across', 'Offset of the craft\'s port from that of the target, with the bound',
+                'Port across', 'Offset of the craft\'s port from the target\'s, with the bound',
                 of('extent'), names=('y', '\u2212z'), note=Ref(DERIVED, 'cut'),
                 rings=(Ring('limit', of('wall'), written=True),
                        Ring('goal', self._limits.lateral_m, dashed=True)),

@@ -1,5 +1,5 @@
 """
-Parts of the console's display of the approach: both crafts as solids, lamps, hand controllers, forms.
+Parts of the console's display: both crafts as solids, lamps, hand controllers, forms.
 
 Shapes are in the axes of the scene (`display`): x towards the target, y up, z to the right.
 """
@@ -130,11 +130,12 @@ def target() -> tuple:
             Cylinder(0.62, 0.6, 0.5, (-0.99, 0.0, 0.0), colour='#8d99a6'),
             Cylinder(0.36, 0.2, 0.45, (NEAR_X + 0.11, 0.0, 0.0), colour='#59646f'),
             Torus(0.3, 0.02, (NEAR_X, 0.0, 0.0), colour='#c3cad2'),
-            Box((1.2, 0.05, 5.0), (0.9, 0.0, 3.5), CELLS), Box((1.2, 0.05, 5.0), (0.9, 0.0, -3.5), CELLS)]
+            *(Box((1.2, 0.05, 5.0), (0.9, 0.0, z), CELLS) for z in (3.5, -3.5))]
     for points, size, colour in ((markers.BIG, 0.03, '#ffffff'), (markers.SMALL, 0.009, '#ffe08a')):
         for point in seen(markers.TARGET_PORT + points):
             reach = float(NEAR_X - point[0])
             if reach > 0.0:             # it stands out
                 made.append(Box((reach, 0.4*size, 0.4*size), (NEAR_X - 0.5*reach, 0.0, 0.0), DARK))
-            made.append(Cylinder(size, 0.01, centre_m=tuple(point.tolist()), colour=colour, lit=False))
+            made.append(Cylinder(size, 0.01, centre_m=tuple(point.tolist()), colour=colour,
+                                 lit=False))
     return tuple(made)

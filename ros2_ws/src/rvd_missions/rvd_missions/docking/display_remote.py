@@ -128,8 +128,9 @@ class RemoteDisplay(DockingDisplay):
                  CommandRow('sent', 'sent', Ref(COMMAND, 'value')))),
             controller=shown.controller if hand else None,
             charts=Charts('Course', (
-                Chart('distance, m', (Number(DERIVED, 'distance'), Number(DERIVED, 'distance_ahead'),
-                                      Number(TRUTH, 'distance')), least=0.1,
+                Chart('distance, m', (
+                    Number(DERIVED, 'distance'), Number(DERIVED, 'distance_ahead'),
+                    Number(TRUTH, 'distance')), least=0.1,
                       names=('down', 'predicted', 'true'), centred=False,
                       levels=shown.charts.strips[0].levels),
                 Chart('angles, deg', tuple(Number(DERIVED, 'angles_ahead', (i,)) for i in range(3)),

@@ -1,9 +1,9 @@
 """
 What the console draws: platform, tether, gripper and target, from what came down the link.
 
-Frame   of the scene: from the platform, x as in the inertial frame of the start, y up, away from the
-        Earth, z against the orbit's normal. The range is the planned one, since nothing measures it;
-        direction, attitude and length are measured. The true range is shown in a review alone.
+Frame   of the scene: from the platform, x as in the inertial frame of the start, y up, away from
+        the Earth, z against the orbit's normal. The range is the planned one, since nothing
+        measures it; direction, attitude and length are measured. The true range is shown in a review alone.
 """
 
 from collections.abc import Mapping
@@ -140,7 +140,8 @@ def _display(facts: RunFacts, preparation: Preparation) -> Display:
             shown('yaw error', 'mrad', 'error', (5,), factor=1000.0))),
         section=Section(
             'Target in the field of view', 'Direction of the target from the boresight, with the '
-            'field of view', 1.1*approach.view_rad, names=('\u2212z', '\u2212y'), right='+z', up='+y',
+            'field of view', 1.1*approach.view_rad, right='+z', up='+y',
+            names=('\u2212z', '\u2212y'),
             rings=(Ring('limit', approach.view_rad),
                    Ring('goal', approach.angle_limit, dashed=True)),
             spots=(Spot('measured', Ref(DERIVED, 'spot')),),

@@ -1,4 +1,4 @@
-"""Panels of a display for a craft with six axes: attitude indicator, lamps; and forms for settings."""
+"""Panels for a craft with six axes: attitude indicator, lamps, image; and forms for settings."""
 
 from dataclasses import dataclass
 

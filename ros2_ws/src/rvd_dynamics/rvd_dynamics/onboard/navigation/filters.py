@@ -144,7 +144,8 @@ class Navigation:
 
         They are those at the instant of the newest view, `latency` steps ago; NaN before the first.
         """
-        turn = 2.0*np.sqrt(np.diagonal(self.attitude_covariance, 0, 1, 2)[:, :3])   # dq is half of it
+        # dq is half of the turn
+        turn = 2.0*np.sqrt(np.diagonal(self.attitude_covariance, 0, 1, 2)[:, :3])
         moved = np.sqrt(np.diagonal(self.covariance, 0, 1, 2)[:, :6])
         return np.where(self.known[:, None], np.concatenate([moved, turn], axis=-1), np.nan)
 

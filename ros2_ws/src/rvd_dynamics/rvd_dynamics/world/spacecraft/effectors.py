@@ -42,7 +42,7 @@ def beam_sums(count: int) -> tuple[Array, Array]:
 
 def beam_shapes(count: int, stations: ArrayLike) -> Array:
     """
-    Return phi_i sqrt(m) of a uniform cantilever at stations (S,) in parts of its length, (S, count).
+    Return phi_i sqrt(m) of a uniform cantilever at stations (S,), parts of its length: (S, count).
 
     At the tip it is 2, -2, 2, ...; the deflection there is the sum of phi_i eta_i.
     """
