@@ -18,7 +18,8 @@ SHORT = {'step_s': 0.1, 'timeout_s': 20.0, 'approach__duration_s': [20.0, 20.0],
 CHANGES = {                                     # shared, sections by name
     'segments': ({}, {}),
     'one': ({'forward_delay_s': 0.4, 'back_delay_s': 0.3},
-            {'gripper_sensors': {'bearing_sigma_rad': 1e-3, 'encoder_sigma_m': 0.01}}),
+            {'gripper_sensors': {'bearing_sigma_rad': 1e-3, 'encoder_sigma_m': 0.01},
+             'gripper_tracker': {'observer.on': True}}),
     'blocks': ({}, {'gripper_dynamics': {'elastic': True}}),
 }
 

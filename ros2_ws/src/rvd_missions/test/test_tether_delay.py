@@ -187,10 +187,12 @@ def test_a_plan_is_complete_when_each_point_has_come_in_any_order(order, lost):
         assert (plan.begin_s, plan.end_s) == (5.0, 9.0)
         assert_array_equal(plan.states, points[:, 5:17])
         assert_array_equal(plan.controls, points[1:-1, 17:])
-        newer = points[3].copy()
-        newer[1] = 2
-        assert not len(store.take(np.array([True]), newer[np.newaxis]))       # another plan begins
-        assert not len(store.take(np.array([True]), points[4][np.newaxis]))   # the old one is over
+        newer = points.copy()
+        newer[:, 1] = 2
+        came = np.array([True])
+        done = [len(store.take(came, newer[[i]])) for i in range(9)]
+        assert done == [0]*8 + [1]                                  # not one of the old points counts
+        assert not len(store.take(came, points[[4]])) and store.number[0] == 2
 
 
 def test_the_director_orders_in_turn_after_its_reaction():

@@ -22,6 +22,7 @@ from rvd_dynamics.diagram.run import Run
 from rvd_missions.tether import geometry
 from rvd_missions.tether.commands import TetherForm
 from rvd_missions.tether.inputs import InputParams, reference
+from rvd_missions.tether.observer import Observer, ObserverParams, shifted
 from rvd_missions.tether.optimum import Preparation
 from rvd_missions.tether.settings import GripperParams
 from rvd_missions.tether.signals import DOWNLINK, TRACKING, WANTED
@@ -42,6 +43,7 @@ class TrackerParams:
         'reads; otherwise the reading is taken for the distance to the platform.')
     aborts_blind: bool = param(
         True, 'Whether losing the target out of the field of view asks for an ABORT.')
+    observer: ObserverParams = param(ObserverParams, 'Estimate of motion and baseline.')
 
 
 class Feedback:
@@ -104,6 +106,17 @@ class GripperTracker:
                                   p.approach, settings.knows_stretch)
         self._feedback = Feedback(settings, p.gripper, run.step_s, batch)
         self._received = np.ones(batch, dtype=bool)
+        self._observer = None
+        if settings.observer.on and settings.feedback:
+            rows = int(np.prod(batch, dtype=int))
+            self._observer = Observer(settings.observer, p.orbit, p.gripper, p.tether, p.approach,
+                                      run.step_s, rows)
+            at = np.clip(times, p.plan.begin_s, p.plan.end_s)
+            self._places = p.plan.state_at(at)[:, :3]
+            self._targets = np.stack([geometry.baseline(p.orbit, p.approach.baseline_m, t).place
+                                      for t in at])
+            part = (at - p.plan.begin_s)/p.plan.duration_s
+            self._moved = part*part*(3.0 - 2.0*part)    # of the error of the baseline
 
     def step(self, k: int, measurement: Any, arrival: Any) -> dict[str, Any]:
         """Return the command of step k, for the guard, and the downlink."""
@@ -112,19 +125,36 @@ class GripperTracker:
         measured = seen(measurement)
         batch = measured.shape[:-1]
         planned, fed = (np.broadcast_to(v, (*batch, len(v))) for v in (planned, fed))
-        wanted = fed
-        if self._settings.feedback:
+        wanted, distance = fed, np.full(batch, self._planned.range_m[at])
+        if self._observer is not None:
+            error, planned, distance = self._observed(k, at, measured, planned)
+            wanted = np.concatenate([fed[..., :1], fed[..., 1:] + self._feedback.answer(
+                error, distance)], axis=-1)
+        elif self._settings.feedback:
             wanted = np.concatenate([fed[..., :1], fed[..., 1:] + self._feedback.answer(
                 measured - planned, self._planned.range_m[at])], axis=-1)
         command = self._form.quantise(wanted)
+        if self._observer is not None:
+            self._observer.sent(command.reshape(-1, 7))
         known = np.isfinite(measurement.encoder)            # in real time one may be missing
         blind = ~measurement.in_view & known & (
             self._settings.aborts_blind and self._settings.feedback)
         asked = blind | (arrival.received & (arrival.kind == KIND_ABORT))
-        distance = np.full(batch, self._planned.range_m[at])
         return {'wanted': WANTED(command=command, received=self._received,
                                  kind=np.where(asked, np.uint8(KIND_ABORT), np.uint8(KIND_THRUST))),
                 'tracking': TRACKING(planned=planned, measured=measured, feedforward=fed,
                                      range=distance),
                 'downlink': DOWNLINK(state=np.concatenate(
                     [measured, planned, distance[..., np.newaxis], command[..., :1]], axis=-1))}
+
+    def _observed(self, k: int, at: int, measured: NDArray, planned: NDArray
+                  ) -> tuple[NDArray, NDArray, NDArray]:
+        """Return the error (..., 6) by what is estimated, what is followed, and the range."""
+        found = self._observer.take(k, measured[..., :3].reshape(-1, 3))
+        moved = shifted(self._places[at], self._targets[at], self._observer.state[:, 6],
+                        self._moved[at])
+        followed, found, distance = (np.reshape(v, (*measured.shape[:-1], *v.shape[1:])) for v in (
+            moved[:, :3], found, moved[:, 3]))
+        planned = np.concatenate([followed, planned[..., 3:]], axis=-1)
+        return (np.concatenate([found - followed, measured[..., 3:] - planned[..., 3:]], axis=-1),
+                planned, distance)

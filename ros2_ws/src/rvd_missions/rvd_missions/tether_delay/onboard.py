@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.commands.codes import KIND_ABORT, KIND_THRUST
 from rvd_dynamics.diagram.block import Block
 from rvd_dynamics.diagram.run import Run
@@ -83,6 +84,9 @@ class OrderedTracker:
 
     def __init__(self, settings: TrackerParams, inputs: InputParams, preparation: Preparation,
                  tether_form: TetherForm, standing: StandingParams, run: Run, batch: tuple) -> None:
+        if settings.observer.on:
+            raise BadInput('gripper_tracker.observer.on must be false: the observer follows one plan from '
+                           'its release, and here there may be more')
         p = self._prepared = preparation
         self._settings, self._form, self._batch = settings, tether_form, batch
         self._standing, self._spline, self._h = standing, inputs.spline, run.step_s
