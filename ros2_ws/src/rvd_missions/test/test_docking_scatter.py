@@ -118,14 +118,14 @@ def test_a_scattered_run_has_the_bits_of_the_run_alone(flown):
             assert a is b is None or np.array_equal(a[:, 0], b[:, 3], equal_nan=True)
 
 
-def test_judge_and_plant_see_the_same_centre_of_mass(flown):
-    """The centre moves the port by its offset, 30 mm in each axis, seen at the start."""
-    own = scattering.centre(Scatter(centre_m=0.03), None, Chaser(), scenario(1.0).run,
-                            range(5), (5,))
-    judge = judge_of(scenario(2.0, ALL), (5,), range(5))
-    assert_allclose(judge._centre, own)
-    alone = judge_of(scenario(2.0, ALL))        # as the monitor of a graph has it, run 0
-    assert_allclose(alone._centre, own[0])
+def test_judge_and_plant_see_the_same_centre_of_mass(craft):
+    """30 mm in each axis, with the signs that the plant's own draws give; a graph's judge, too."""
+    run = scenario(2.0, ALL)
+    plant = drawn(Scatter(centre_m=0.03), craft, Chaser(),
+                  PROPERTIES.of_runs(run.run.seed, range(5), 1)).centre
+    assert_allclose(np.abs(plant), 0.03)
+    assert np.array_equal(judge_of(run, (5,), range(5))._centre, plant)
+    assert np.array_equal(judge_of(run)._centre, plant[0])      # the monitor of run 0
 
 
 def test_a_camera_turned_by_a_degree_shows_the_port_aside_by_its_distance():

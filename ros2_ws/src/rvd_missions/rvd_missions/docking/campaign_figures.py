@@ -37,28 +37,35 @@ def margins(results: Any) -> tuple['Canvas', str]:
 
 
 def thrusters(results: Any) -> tuple['Canvas', str]:
-    """Draw the share of runs that hover, by thruster and condition."""
+    """Draw the greatest angle while hovering, by thruster and condition, and who hovers."""
+    from matplotlib.colors import LogNorm
     names = list(results.tables)
-    share = np.full((len(names), COUNT), np.nan)
+    angle, good = np.full((2, len(names), COUNT), np.nan)
     for row, table in enumerate(results.tables.values()):
         which = np.asarray(table['run']) % COUNT
         for thruster in np.unique(which):
-            share[row, thruster] = np.mean(np.asarray(table['success'])[which == thruster])
-    figure = canvas(1.1 + 0.24*len(names), left=0.2)
+            angle[row, thruster] = np.mean(np.asarray(table['attitude_deg'])[which == thruster])
+            good[row, thruster] = np.mean(np.asarray(table['success'])[which == thruster])
+    figure = canvas(1.1 + 0.24*len(names), left=0.16)
     axes = figure.subplots()
-    axes.imshow(share, cmap='cividis', vmin=0.0, vmax=1.0, aspect='auto', interpolation='nearest')
+    drawn = axes.imshow(angle, cmap='cividis', norm=LogNorm(0.2, 180.0), aspect='auto',
+                        interpolation='nearest')
+    figure.colorbar(drawn, ax=axes, label='greatest angle [deg]', pad=0.01)
+    for row, thruster in zip(*np.nonzero(good < 1.0)):
+        axes.plot(thruster, row, 'x', color=VERMILLION, markersize=4)
     axes.set_yticks(range(len(names)), names)
-    axes.set_xticks(range(0, COUNT, 4), [str(i) for i in range(0, COUNT, 4)])
+    axes.set_xticks(range(0, COUNT, 4))
     groups = layout().groups
     for group in sorted(set(groups)):
         at = [i for i, other in enumerate(groups) if other == group]
-        axes.text(np.mean(at), -0.75, group, ha='center', va='bottom', fontsize=7)
+        axes.text(np.mean(at), -0.6, group, ha='center', va='bottom', fontsize=7)
         if at[0]:
             axes.axvline(at[0] - 0.5, color=INK, linewidth=1.2)
     axes.set_xlabel('thruster that fails')
     axes.grid(False)
     figure.subplots_adjust(bottom=0.5/figure.get_figheight(), top=1.0 - 0.35/figure.get_figheight())
-    return figure, 'Share of runs that hover: yellow all, dark blue none. Columns: the thruster.'
+    return figure, ('Greatest angle while hovering; a cross: not all runs hover; white: the run '
+                    'ended before.')
 
 
 def improvements(results: Any) -> tuple['Canvas', str]:
@@ -82,7 +89,7 @@ def improvements(results: Any) -> tuple['Canvas', str]:
 
 FIGURES = {
     'margins': CampaignFigure(margins, 'How the limits are filled', tuple(LIMITED)),
-    'thrusters': CampaignFigure(thrusters, 'By thruster'),
+    'thrusters': CampaignFigure(thrusters, 'By thruster', ('attitude_deg',)),
     'improvements': CampaignFigure(
         improvements, 'What the improvements bring',
         ('nav_attitude_error_deg', 'gyro_drift_deg_h')),
