@@ -259,8 +259,8 @@ def scenario(seconds, shared, **sections):
     """Return a scenario of some length with the simple camera."""
     text = ('/**: {ros__parameters: {mission: docking, seeing: {camera: simple}, '
             f'timeout_s: {seconds}, limits: {{from_s: 0.5}}, {shared}}}}}\n')
-    for name, content in {'onboard_guard': 'abort_burn_s: 2.0', **sections}.items():
-        text += f'{name}: {{ros__parameters: {{{content}}}}}\n'
+    for name, told in {'onboard_guard': 'abort_burn_s: 2.0', **sections}.items():
+        text += f'{name}: {{ros__parameters: {{{told}}}}}\n'
     return parse(text, 'test')
 
 
