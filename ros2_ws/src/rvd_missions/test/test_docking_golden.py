@@ -37,8 +37,10 @@ def test_a_rigid_axis_comes_to_rest_whatever_its_thrusters_really_give():
 @pytest.mark.slow
 def test_the_craft_hovers_with_it_and_its_attitude_is_closer_than_with_pid():
     made = load(ROOT / 'scenarios' / 'docking.yaml').with_values(
-        '/**', timeout_s=100.0, seeing__camera='simple')
-    flown = fly(made.with_values('docking_controller', attitude_law='golden_section'), range(1))
+        '/**', timeout_s=45.0, seeing__camera='simple', limits__from_s=35.0, aim__nominal_s=30.0,
+        start__position_m=[-3.4, 0.05, -0.04])
+    flown = fly(made.with_values('docking_controller', attitude_law='golden_section',
+                                 profile__fast_m_s=0.02, profile__dock_m_s=0.005), range(1))
     assert flown.verdict.success.all(), (flown.verdict.reason, flown.verdict.values)
     assert np.all(flown.verdict.values['attitude_deg'] < 0.25)
     assert np.all(flown.columns['safety_state'] == 0)

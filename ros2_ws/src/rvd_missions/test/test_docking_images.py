@@ -127,10 +127,10 @@ def test_blobs_of_something_else_are_no_pose():
 
 @pytest.mark.slow
 def test_images_in_the_loop_from_near_the_port_keep_it_hovering():
-    """From 30 cm, through both hand-overs, with filters, control and safety."""
+    """From 20 cm, where both sets count, through the hand-over to the small one."""
     made = load(ROOT / 'scenarios' / 'docking_images.yaml').with_values(
-        '/**', timeout_s=40.0, limits__from_s=34.0, aim__nominal_s=30.0,
-        start__position_m=[-3.3, 0.02, -0.02], start__attitude_deg=[0.2, -0.2, 0.2])
+        '/**', timeout_s=22.0, limits__from_s=18.0, aim__nominal_s=15.0,
+        start__position_m=[-3.2, 0.02, -0.02], start__attitude_deg=[0.2, -0.2, 0.2])
     made = made.with_values('docking_controller', profile__fast_m_s=0.02, profile__dock_m_s=0.005)
     flown = fly(made, range(1))
     assert flown.verdict.success.all(), (flown.verdict.reason, flown.verdict.values)
