@@ -50,4 +50,5 @@ class Columns:
                     'nav_attitude_error_deg': np.degrees(np.sqrt(self._angle/n)),
                     'nis_attitude': self._nis[..., 0]/self._views,
                     'nis_position': self._nis[..., 1]/self._views,
-                    'safety_state': self._safety.astype(np.int64), 'steps': end_step, **self._margins.table()}
+                    'safety_state': self._safety.astype(np.int64), 'steps': end_step,
+                    **self._margins.table()}
