@@ -124,6 +124,9 @@ def test_the_plan_comes_up_through_delay_and_loss_and_is_followed():
     for row in range(2):
         first = int(np.flatnonzero(known[:, row])[0])
         assert first > 100 + KNOTS                      # more than a round, as some were lost
+        there = [{(k - 100) % KNOTS for k in np.flatnonzero(came[:end, row])}
+                 for end in (first - 1, first)]         # a packet is read a step after it came
+        assert len(there[0]) == KNOTS - 1 and len(there[1]) == KNOTS
         assert not flown.history[TRUTH].thrust[:first + 1, row, 1:13].any()        # those of J2
         assert known[first:, row].all()
     place, _ = preparation().nominal.at(3.9)

@@ -63,5 +63,5 @@ class Columns:
                     'nav_attitude_error_deg': np.degrees(np.sqrt(self._angle/n)),
                     'gyro_drift_deg_h': drift, 'nis_attitude': self._nis[..., 0]/self._views,
                     'nis_position': self._nis[..., 1]/self._views,
-                'safety_state': self._safety.astype(np.int64), 'redrawn': self._redrawn,
-                'steps': end_step, **self._margins.table()}
+                    'safety_state': self._safety.astype(np.int64), 'redrawn': self._redrawn,
+                    'steps': end_step, **self._margins.table()}
