@@ -1,16 +1,16 @@
 """
 The observer on board: where the gripper is, how fast, and by how much the baseline is off.
 
-Motion across the sight is known from the commands and seen as an angle; their quotient is the range.
+Motion across the sight is known from the commands and seen as an angle: their quotient is range.
 An extended Kalman filter of (r, v, d, q): place and velocity from the platform in I, error of the
 baseline [m], and of the mass as a fraction, without which an error of the mass would be one of
 the range.
 
     r'' = mu/r^3 (3 (rhat . r) rhat - r) + (1 - q) (F - T x_t)/m,   d' = q' = 0
-    z = (|r|, alpha0, beta0) of the encoder, corrected for the stretch, and of D0 (1 + d/D0) dhat - r
+    z = (|r|, alpha0, beta0) of the encoder, corrected for stretch, and of (D0 + d) dhat - r
 
 Valid   the commands are carried out; what disturbs is white and small. A constant force that is not
-        known is taken for range. The Jacobian leaves out how thrust across the tether turns with it.
+        known is taken for range. The Jacobian leaves out how thrust across turns with the tether.
 Source  ours: the paper has no range at all. Filter: Bar-Shalom, Li, Kirubarajan, Estimation with
         Applications to Tracking and Navigation, 2001, section 10.3.
 """
@@ -50,7 +50,7 @@ class ObserverParams:
 
 @compiled
 def predict(x, cov, u, orbit, mass, density, h):
-    """Carry states (N, 8) and covariances (N, 8, 8) over `h` [s] under commands (N, 7), in place."""
+    """Carry states (N, 8) and covariances (N, 8, 8) over `h` [s] under commands, in place."""
     g, s, c = orbit[0], orbit[1], orbit[2]
     jump, work = np.zeros((STATES, STATES)), np.zeros((STATES, STATES))
     for row in range(len(x)):

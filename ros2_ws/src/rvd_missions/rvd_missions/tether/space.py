@@ -41,8 +41,8 @@ class DynamicsParams:
         False, 'Whether the tether is elastic and the reel controls its tension; otherwise the '
         'tension is what is commanded.')
     beads: int = param(
-        0, 'Number of pieces of the whole tether, each with its mass in a bead at its inner end; the '
-        'piece at the reel has none yet, so 1 is no mass, as is 0.', low=0, high=64)
+        0, 'Number of pieces of the whole tether, each with its mass in a bead at its inner end; '
+        'the piece at the reel has none yet, so 1 is no mass, as is 0.', low=0, high=64)
     density_kg_m3: float = param(
         1440.0, 'Density of the tether where it has a mass, aramid [kg/m^3].', above=0.0)
     reel: ReelParams = param(ReelParams, 'The elastic tether and its reel.')
@@ -64,8 +64,8 @@ class DynamicsParams:
         (0.0, 0.0, 0.0), 'Constant disturbing force, inertial axes of the start [N].', length=3)
 
     def __post_init__(self) -> None:
-        require(not (self.elastic and self.beads), 'beads', 'be 0 with elastic: the reel of a tether '
-                'with mass holds the tension that is commanded', self.beads)
+        require(not (self.elastic and self.beads), 'beads', 'be 0 with elastic: the reel of a '
+                'tether with mass holds the tension that is commanded', self.beads)
 
 
 @settings

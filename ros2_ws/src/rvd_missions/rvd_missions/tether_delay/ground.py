@@ -3,8 +3,8 @@ The ground segment: plans, orders and what the telemetry tells; and a stand-in f
 
 A plan is asked for when GO is ordered and none is under way: from the latch, or from where the
 gripper stands after a HOLD. It is used `solve_s` after that, whether or not the solver took so
-long, so that a run does not depend on the machine; meanwhile a thread solves it. It begins on a full
-second, late enough to be on board by then.
+long, so that a run does not depend on the machine; meanwhile a thread solves it. It begins on a
+full second, late enough to be on board by then.
 
 After a HOLD only a gripper that stands is planned for: its place is then the same however old the
 telemetry is, so that the delay costs time, but not accuracy.

@@ -85,8 +85,8 @@ class OrderedTracker:
     def __init__(self, settings: TrackerParams, inputs: InputParams, preparation: Preparation,
                  tether_form: TetherForm, standing: StandingParams, run: Run, batch: tuple) -> None:
         if settings.observer.on:
-            raise BadInput('gripper_tracker.observer.on must be false: the observer follows one plan from '
-                           'its release, and here there may be more')
+            raise BadInput('gripper_tracker.observer.on must be false: the observer follows one '
+                           'plan from its release, and here there may be more')
         p = self._prepared = preparation
         self._settings, self._form, self._batch = settings, tether_form, batch
         self._standing, self._spline, self._h = standing, inputs.spline, run.step_s
