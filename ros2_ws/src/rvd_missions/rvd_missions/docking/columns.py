@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rvd_dynamics.motion import attitude
-from rvd_dynamics.world.spacecraft.spacecraft import Spacecraft
 from rvd_missions.docking.scatter import drawn, Scatter
 from rvd_missions.docking.settings import Chaser
 
@@ -20,7 +19,7 @@ class Columns:
     `gyro_drift_deg_h` is the mean error of the rate: what is left of the gyro's bias.
     """
 
-    def __init__(self, scatter: Scatter, craft: Spacecraft, chaser: Chaser, properties: NDArray,
+    def __init__(self, scatter: Scatter, craft: Any, chaser: Chaser, properties: NDArray,
                  batch: tuple) -> None:
         self._redrawn = drawn(scatter, craft, chaser, properties).redrawn.reshape(batch)
         self._ended = np.zeros(batch, dtype=bool)
