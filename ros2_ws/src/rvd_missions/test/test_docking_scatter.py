@@ -11,8 +11,7 @@ from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.in_process import fly, judge_of
 from rvd_dynamics.diagram.scenario import parse
 from rvd_missions.docking import scatter as scattering
-from rvd_missions.docking.scatter import drawn, Scatter
-from rvd_missions.docking.scatter_draws import CANDIDATES, PROPERTIES, WIDTH
+from rvd_missions.docking.scatter import CANDIDATES, drawn, PROPERTIES, Scatter, WIDTH
 from rvd_missions.docking.settings import Chaser
 
 ALL = ('mass: 0.05, inertia: 0.1, products_kg_m2: 50.0, mode_frequency: 0.2, participation: 0.2, '

@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 
 from rvd_dynamics.diagram.run import Run
 from rvd_dynamics.motion import attitude
-from rvd_dynamics.world.spacecraft.spacecraft import Spacecraft
 from rvd_missions.docking.scatter import drawn, Scatter
 from rvd_missions.docking.settings import Chaser
 from rvd_missions.docking.plan_columns import FlownMargins
@@ -23,7 +22,7 @@ class Columns:
     `gyro_drift_deg_h` is the mean error of the rate: what is left of the gyro's bias.
     """
 
-    def __init__(self, scatter: Scatter, craft: Spacecraft, chaser: Chaser, properties: NDArray,
+    def __init__(self, scatter: Scatter, craft: Any, chaser: Chaser, properties: NDArray,
                  preparation: Preparation, run: Run, batch: tuple) -> None:
         self._redrawn = drawn(scatter, craft, chaser, properties).redrawn.reshape(batch)
         self._margins = FlownMargins(preparation, run, batch)

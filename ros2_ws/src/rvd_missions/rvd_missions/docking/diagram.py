@@ -20,7 +20,7 @@ from rvd_dynamics.link.leg import leg
 from rvd_missions.docking import hand_diagram, HERE, standard
 from rvd_missions.docking.commands import COUNT
 from rvd_missions.docking.plan_signals import ARRIVAL, DOWNLINK, TELEMETRY, UPLINK
-from rvd_missions.docking.scatter_draws import PROPERTIES
+from rvd_missions.docking.scatter import PROPERTIES
 from rvd_missions.docking.signals import (
     ESTIMATE, FEATURES, GUIDANCE, INERTIAL, MARKERS, POSE, THRUST, TRUTH, WANTED)
 from rvd_missions.docking.stereo_signals import CAMERAS, SPOTS, STEREO

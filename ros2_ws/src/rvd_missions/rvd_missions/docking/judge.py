@@ -13,7 +13,6 @@ from rvd_dynamics.diagram.run import Run
 from rvd_dynamics.geometry.pinhole import CameraParams, USABLE
 from rvd_dynamics.motion import attitude
 from rvd_dynamics.world.sensors.camera import features, ImageParams
-from rvd_dynamics.world.spacecraft.spacecraft import Spacecraft
 from rvd_missions.docking import markers, scatter as scattering
 from rvd_missions.docking.settings import Aim, Chaser, ended, faces, Limits
 from rvd_missions.docking.space import relative
@@ -31,7 +30,7 @@ class Judge:
     }
 
     def __init__(self, run: Run, aim: Aim, limits: Limits, chaser: Chaser, camera: CameraParams,
-                 scatter: scattering.Scatter, craft: Spacecraft, period: int, batch: tuple = (),
+                 scatter: scattering.Scatter, craft: Any, period: int, batch: tuple = (),
                  runs: Sequence[int] | None = None) -> None:
         low, high = aim.distance_m - limits.band_m, aim.distance_m + limits.band_m
         self._band = (low, high)

@@ -12,7 +12,7 @@ draws, used or not, and a run for which all are impossible is refused.
 """
 
 from dataclasses import replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,12 +20,16 @@ from numpy.typing import NDArray
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.params import param, require, settings
 from rvd_dynamics.diagram.run import Run
-from rvd_dynamics.world.spacecraft.spacecraft import Spacecraft
+from rvd_dynamics.diagram.streams import StartNormals
 from rvd_missions.docking.commands import COUNT
-from rvd_missions.docking.scatter_draws import CANDIDATES, MODES, PROPERTIES, WIDTH
 from rvd_missions.docking.settings import Chaser
 
 Array = NDArray[np.float64]
+CANDIDATES = 8
+# normals of one candidate: mass, inertia, products, both panels' modes (frequency, participation),
+# tanks (mass, frequency), centre, camera (turn, place), thrusters
+MODES, WIDTH = 8, 1 + 3 + 3 + 4*8 + 4 + 3 + 6 + COUNT
+PROPERTIES = StartNormals('docking/dynamics/properties', CANDIDATES*WIDTH)
 
 
 @settings
@@ -77,7 +81,7 @@ class Scatter:
 class Drawn(NamedTuple):
     """What the runs of a batch have; rows N."""
 
-    craft: Spacecraft           # one for all, or a row each
+    craft: Any                  # Spacecraft, one for all, or a row each
     centre: Array               # (N, 3) centre of mass in the drawing [m]
     alignment: Array            # (N, 3) turn of the camera [deg]
     camera: Array               # (N, 3) its place from where it should be [m]
@@ -85,9 +89,9 @@ class Drawn(NamedTuple):
     redrawn: NDArray[np.int64]  # (N,) draws that were impossible
 
 
-def drawn(scatter: Scatter, craft: Spacecraft, chaser: Chaser, normals: Array) -> Drawn:
+def drawn(scatter: Scatter, craft: Any, chaser: Chaser, normals: Array) -> Drawn:
     """
-    Return what N runs have, of draws (..., CANDIDATES WIDTH).
+    Return what N runs have, of draws (..., CANDIDATES WIDTH); `craft` is the nominal Spacecraft.
 
     Raises
     ------
@@ -115,7 +119,7 @@ def drawn(scatter: Scatter, craft: Spacecraft, chaser: Chaser, normals: Array) -
                  1.0 + scatter.thrust*parts['thrust'], redrawn)
 
 
-def centre(scatter: Scatter, craft: Spacecraft, chaser: Chaser, run: Run,
+def centre(scatter: Scatter, craft: Any, chaser: Chaser, run: Run,
            runs: list[int] | None, batch: tuple) -> Array:
     """Return the centre of mass (*batch, 3) or (3,) of runs, None: of the run's own, [m]."""
     if not scatter.centre_m:
@@ -136,7 +140,7 @@ def _split(normals: Array) -> dict[str, Array]:
     return parts
 
 
-def _why_not(scatter: Scatter, craft: Spacecraft, normals: Array) -> str:
+def _why_not(scatter: Scatter, craft: Any, normals: Array) -> str:
     """Return why candidates (N, WIDTH) cannot all be, or nothing."""
     parts = _split(normals)
     for name, sigma, what in (
@@ -155,7 +159,7 @@ def _why_not(scatter: Scatter, craft: Spacecraft, normals: Array) -> str:
     return ''
 
 
-def _craft(scatter: Scatter, craft: Spacecraft, normals: Array) -> Spacecraft:
+def _craft(scatter: Scatter, craft: Any, normals: Array) -> Any:
     """Return the craft of draws (N, WIDTH), a row each."""
     from scipy.special import ndtr
     parts, rows = _split(normals), len(normals)
