@@ -119,7 +119,7 @@ def test_the_plan_comes_up_through_delay_and_loss_and_is_followed():
     flown = fly(scenario(timeout_s=4.0, limits__from_s=1.0, forward_delay_s=1.0, back_delay_s=1.0,
                          sections={'link_forward': {'loss_fraction': 0.2}}), range(2),
                 record=[GUIDANCE, TRUTH, PLAN])
-    guided = flown.history[GUIDANCE]
+    guided, came = flown.history[GUIDANCE], flown.history[PLAN].received
     known = np.isfinite(guided.reference[..., 0])
     for row in range(2):
         first = int(np.flatnonzero(known[:, row])[0])
