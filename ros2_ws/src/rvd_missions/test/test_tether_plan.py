@@ -180,7 +180,8 @@ def test_an_approach_that_cannot_be_made_names_what_is_in_the_way():
     with pytest.raises(BadInput, match='plan infeasible: alpha0 must be at least -0.1 rad'):
         approach(20, task=replace(APPROACH, lateral_m_s=(1.5, 0.0)))
     with pytest.raises(BadInput, match='plan infeasible: tension must be at most 0.2 N'):
-        approach(20, tether=TetherParams(most_n=0.2, abort_n=0.2), gripper=GripperParams(max_force_n=0.1),
+        approach(20, tether=TetherParams(most_n=0.2, abort_n=0.2),
+                 gripper=GripperParams(max_force_n=0.1),
                  task=replace(APPROACH, lateral_m_s=(0.0, 0.0)))
 
 

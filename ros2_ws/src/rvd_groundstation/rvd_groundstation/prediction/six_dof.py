@@ -8,8 +8,8 @@ sent now will act.
 
 Model    translation with the linear and quadratic terms of gravity (paper, eq. 1), attitude
          kinematics and a rigid body (eq. 2, without panels and tanks); the craft's loops by the
-         mean of their modulators (duty = |X| - (H_E + H_A)/2 above the dead band, at most 1); clicks as
-         pulses of the nominal force; what is held moves as the craft moves it.
+         mean of their modulators (duty = |X| - (H_E + H_A)/2 above the dead band, at most 1);
+         clicks as pulses of the nominal force; what is held moves as the craft moves it.
 Left out flexible panels and sloshing, delays of valves, noise of the pulses, the limit cycle
          within the dead band; what an ABORT does: then there is no prediction.
 Frames   position and velocity in LVLH (x along the target's velocity, z to the Moon), attitude

@@ -258,7 +258,8 @@ class DockingDisplay(MissionDisplay):
             camera=self._camera(scenario.part('camera')),
             instruments=Instruments('Approach', (
                 row('distance', 'mm', of('distance', factor=1000.0),
-                    true('distance', factor=1000.0), 0, of('near', factor=1000.0), of('far', factor=1000.0)),
+                    true('distance', factor=1000.0), 0,
+                    of('near', factor=1000.0), of('far', factor=1000.0)),
                 row('to plan', 'mm', of('behind')),
                 row('closing', 'mm/s', of('closing', factor=1000.0), digits=1,
                     high=of('fastest', factor=1000.0)),

@@ -1,8 +1,8 @@
 """
 When the craft stops, backs away, or flees: the safety strategy on board.
 
-States are ordered, NOMINAL < HOLD < RETREAT < ABORT, and only rise, unless an operator resumes. Source: An, Qu, Wang 2015,
-section 2.5, has the concept alone; rules and numbers are assumed.
+States are ordered, NOMINAL < HOLD < RETREAT < ABORT, and only rise, unless an operator resumes.
+Source: An, Qu, Wang 2015, section 2.5, has the concept alone; rules and numbers are assumed.
 
     HOLD      out of the cone, attitude or rate too large, camera lost, innovations too large
     RETREAT   near the port and too far aside

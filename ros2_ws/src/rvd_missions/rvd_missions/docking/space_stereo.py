@@ -55,7 +55,8 @@ class StereoCamera(_Pair):
         normals = self._normals[..., row, :].reshape((*turn.shape[:-1], CAMERAS, MARKERS, 2))
         pixels = np.stack([features(
             camera, self._image, self._points, markers.FACING, offset, turn, normals[..., i, :, :],
-            self._chance[..., row], *self._mounted) for i, camera in enumerate(self._cameras)], axis=-3)
+            self._chance[..., row], *self._mounted)
+            for i, camera in enumerate(self._cameras)], axis=-3)
         return {'features': STEREO(pixels=pixels, exposed=np.int64(k - self._late))}
 
 

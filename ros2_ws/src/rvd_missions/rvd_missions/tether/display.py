@@ -3,7 +3,8 @@ What the console draws: platform, tether, gripper and target, from what came dow
 
 Frame   of the scene: from the platform, x as in the inertial frame of the start, y up, away from
         the Earth, z against the orbit's normal. The range is the planned one, since nothing
-        measures it; direction, attitude and length are measured. The true range is shown in a review alone.
+        measures it; direction, attitude and length are measured. The true range is shown in a
+        review alone.
 """
 
 from collections.abc import Mapping
