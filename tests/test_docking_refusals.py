@@ -34,6 +34,7 @@ BAD = {
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 @pytest.mark.parametrize('node, shared, own, line', BAD.values(), ids=BAD)
 def test_a_node_that_cannot_work_says_why_in_one_line_and_ends_with_code_2(
         node, shared, own, line, tmp_path):

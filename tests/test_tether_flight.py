@@ -52,6 +52,7 @@ def test_a_flight_is_the_loop_in_one_process_to_the_last_bit(processes, tmp_path
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 def test_a_plan_that_cannot_be_made_is_one_line_and_exit_code_2(tmp_path):
     chosen = load(ROOT / 'scenarios' / 'tether.yaml').with_values('/**', **{
         **SHORT, 'approach__lateral_m_s': [3.0, 0.0]})

@@ -57,6 +57,7 @@ def test_without_noise_and_thrust_nothing_but_gravity_moves_the_craft():
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 def test_pinhole_camera_and_all_loops_hover_within_all_limits():
     """Specification, section 10: band, time, attitude, lateral, propellant; nothing is fitted."""
     flown = fly(scenario(150.0), range(3))

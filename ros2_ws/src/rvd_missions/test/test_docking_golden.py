@@ -35,6 +35,7 @@ def test_a_rigid_axis_comes_to_rest_whatever_its_thrusters_really_give():
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 def test_the_craft_hovers_with_it_and_its_attitude_is_closer_than_with_pid():
     made = load(ROOT / 'scenarios' / 'docking.yaml').with_values(
         '/**', timeout_s=45.0, seeing__camera='simple', limits__from_s=35.0, aim__nominal_s=30.0,

@@ -335,6 +335,7 @@ TAPE = '''t_s,axis_0,axis_1,axis_2,axis_3,axis_4,axis_5,button_0,button_1,button
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 def test_after_a_retreat_the_operator_resumes_and_flies_on(tmp_path):
     """From 1.8 m, 10 cm aside: J4 takes it to 3 m; hands are not heard until button 2."""
     (tmp_path / 'tape.csv').write_text(TAPE)
@@ -355,6 +356,7 @@ def test_after_a_retreat_the_operator_resumes_and_flies_on(tmp_path):
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 def test_the_tape_of_two_hands_docks():
     """Rates alone, from 3 m into the band, with panels, tanks, both filters and safety."""
     shipped = load(_shipped('scenarios', 'docking_manual.yaml')).with_values(

@@ -126,6 +126,7 @@ def test_blobs_of_something_else_are_no_pose():
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 def test_images_in_the_loop_from_near_the_port_keep_it_hovering():
     """From 20 cm, where both sets count, through the hand-over to the small one."""
     made = load(ROOT / 'scenarios' / 'docking_images.yaml').with_values(

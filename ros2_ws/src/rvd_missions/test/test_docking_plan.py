@@ -146,6 +146,7 @@ def test_planning_anew_begins_where_each_craft_is_and_alone_or_together_is_the_s
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 @pytest.mark.parametrize('planner', ['polynomial', 'pseudospectral'])
 def test_a_flight_along_a_plan_of_the_ground_hovers(planner):
     flown = fly(scenario(planner, timeout_s=95.0, seeing__camera='simple'), range(1))

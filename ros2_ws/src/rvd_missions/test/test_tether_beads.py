@@ -126,6 +126,7 @@ def test_a_taut_chain_swings_across_at_the_frequency_of_a_string_of_beads(mode):
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 def test_a_tether_with_mass_costs_a_millimetre_and_is_slack_at_the_gripper_for_a_while():
     scenario = load(ROOT / 'scenarios' / 'tether.yaml').with_values('gripper_dynamics', beads=8)
     batch = fly(scenario, [0])

@@ -86,6 +86,7 @@ def test_it_is_the_clipping_of_the_spline_that_makes_the_open_loop_end_long(orbi
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 def test_open_loop_flight_is_that_of_the_specification():
     batch = flown('tether_open_loop')
     found = measures(batch)
@@ -130,6 +131,7 @@ def test_closed_loop_flight_is_that_of_the_specification():
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 def test_most_of_the_error_along_is_the_stretch_that_the_encoder_does_not_see():
     """7.8 mm at 10 N and 80 m; -2.5 mm is left of it in the prototype with the true length."""
     found = measures(flown(gripper_tracker={'knows_stretch': True}))
@@ -164,6 +166,7 @@ def test_an_error_of_the_baseline_passes_one_to_one():
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 def test_noise_of_the_sensors_costs_millimetres():
     """
     5 mm and 0.5 mrad: 1 mm along and 1.4 mm across in three runs of the prototype.
@@ -188,6 +191,7 @@ def test_a_row_is_the_same_alone_and_in_a_batch():
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 @pytest.mark.parametrize('dynamics, closed, open_', [
     ({'velocity_error_m_s': [0.05, 0.02, 0.0]}, (-0.0105, 0.0, 0.0), -3.67),
     ({'disturbance_n': [0.05, 0.05, 0.05]}, (-0.022, -0.018, -0.018), None)],
@@ -204,6 +208,7 @@ def test_disturbances_are_answered_as_in_the_specification(dynamics, closed, ope
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 def test_on_a_low_orbit_it_arrives_as_in_the_specification():
     low = {'orbit.perigee_altitude_m': LEO.perigee_altitude_m}
     found = measures(flown(shared=low))
@@ -215,6 +220,7 @@ def test_on_a_low_orbit_it_arrives_as_in_the_specification():
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 def test_the_baseline_can_be_found_afterwards_where_all_else_is_known():
     batch = flown(runs=range(5), gripper_dynamics={'baseline_sigma_m': 1.0},
                   record=[TRUTH.name, TRACKING.name])
@@ -227,6 +233,7 @@ def test_the_baseline_can_be_found_afterwards_where_all_else_is_known():
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 def test_an_elastic_tether_with_a_reel_arrives_too():
     batch = flown(gripper_dynamics={'elastic': True}, record=[TRUTH.name])
     found = measures(batch)

@@ -94,6 +94,7 @@ def flown(on, runs, step=0.05, **shared):
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 def test_it_takes_away_most_of_the_error_of_the_baseline_and_of_the_thrust():
     """The default release, the same noise and baselines for both."""
     without, with_it = (flown(on, range(12)).verdict.values for on in (False, True))

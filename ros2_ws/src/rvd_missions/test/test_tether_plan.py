@@ -176,6 +176,7 @@ def test_yapss_finds_the_same_cost():
 # -- no plan ---------------------------------------------------------------------------------------
 
 @pytest.mark.slow
+@pytest.mark.patient
 def test_an_approach_that_cannot_be_made_names_what_is_in_the_way():
     with pytest.raises(BadInput, match='plan infeasible: alpha0 must be at least -0.1 rad'):
         approach(20, task=replace(APPROACH, lateral_m_s=(1.5, 0.0)))
