@@ -18,7 +18,7 @@ from rvd_dynamics.diagram.in_process import fly
 from rvd_dynamics.diagram.scenario import load, Scenario
 
 BATCH = 400                     # rows of a closed loop
-PLANT_ROWS, PLANT_STEPS = 100, 500
+PLANT_STEPS, PASSES = 100, 5     # the best pass counts: what others take away is not the plant's
 NODES = 20
 SPEED_M_S, ANGLE_RAD = 0.01, 0.005      # changes after which the plan is made again
 FACES_M = 3.0                           # distance of the docking faces at the start
@@ -58,15 +58,18 @@ def _plant(scenario: Scenario) -> dict[str, float]:
     craft, step = scenario.part('craft'), scenario.run.step_s
     sub_steps = scenario.settings('docking_dynamics').sub_steps
     made = {}
-    for name, rows in (('plant', PLANT_ROWS), ('plant_one', 1)):
+    for name, rows in (('plant', BATCH), ('plant_one', 1)):
         state = craft.state(rows, position=(-6.0, 0.2, -0.15))
         wrench = np.zeros((rows, 2*sub_steps + 1, 6))
         wrench[..., 0], wrench[..., 4] = 10.0, 0.1
         craft.advance(state, wrench, step)
-        begun = time.process_time()
-        for _ in range(PLANT_STEPS):
-            state = craft.advance(state, wrench, step).state
-        made[name] = rows*PLANT_STEPS*step/(time.process_time() - begun)
+        took = []
+        for _ in range(PASSES):
+            begun = time.process_time()
+            for _ in range(PLANT_STEPS):
+                state = craft.advance(state, wrench, step).state
+            took.append(time.process_time() - begun)
+        made[name] = rows*PLANT_STEPS*step/min(took)
     return made
 
 

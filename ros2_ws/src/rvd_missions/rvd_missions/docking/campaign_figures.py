@@ -33,6 +33,8 @@ def margins(results: Any) -> tuple['Canvas', str]:
         axes.hist(values[np.isfinite(values)], bins=40, color=BLUE)
         axes.axvline(bounds[name], color=VERMILLION, linewidth=1.2)
         axes.set(xlabel=words, yticks=[])
+        axes.locator_params(axis='x', nbins=3)
+    figure.subplots_adjust(right=0.975)
     return figure, 'Runs by what is judged while they hover; red: the limit.'
 
 
@@ -80,7 +82,9 @@ def improvements(results: Any) -> tuple['Canvas', str]:
             colour = VERMILLION if name.startswith('mistuned') else BLUE
             axes.plot(values, np.full(len(values), at), '|', color=colour, alpha=0.4, markersize=5)
             axes.plot(np.nanmean(values), at, 'o', color=colour, markersize=4)
-        axes.set(xlabel=words, xscale='log')
+        axes.set(xlabel=words)
+        axes.set_xlim(left=0.0)
+        axes.locator_params(axis='x', nbins=4)
         axes.invert_yaxis()
     panels[0].invert_yaxis()                    # the axes share it: once is enough
     panels[0].set_yticks(range(len(names)), names)
