@@ -77,7 +77,7 @@ def states(run: Path, topic: str) -> np.ndarray:
                      for m in messages(run, topic)])
 
 
-def flown_again(run: Path, signals: list[str]) -> tuple:
+def flown_again(run: Path, signals: list[str] | bool) -> tuple:
     """Return a recorded run and the same one in process, when verdict and measures are equal."""
     recorded = read(run)
     loop = fly(recorded.scenario, [recorded.scenario.run.run], record=signals)

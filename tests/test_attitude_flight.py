@@ -5,11 +5,9 @@ import json
 from conftest import Flown
 import numpy as np
 import pytest
-from runs import ROOT
+from runs import flown_again, ROOT
 
-from rvd_dynamics.diagram.in_process import fly
-from rvd_dynamics.diagram.scenario import load, parse
-from rvd_dynamics.recording.reader import read
+from rvd_dynamics.diagram.scenario import load
 from rvd_missions.attitude_hold.signals import LAW, THRUST, TRUTH
 
 SHORT = {'timeout_s': 60.0, 'attitude__step_at_s': 20.0, 'faults__actuator_at_s': 25.0,
@@ -31,8 +29,7 @@ def test_a_flight_is_the_loop_in_one_process_to_the_last_bit(case, tmp_path):
     flight = Flown(tmp_path / 'run', str(tmp_path / 'short.yaml'), '--seed', '5', '--headless',
                    '--pace', 'lockstep', '--processes', processes)
     assert flight.code in (0, 1), flight.err
-    run = read(flight.run / 'bag')
-    alone = fly(parse((flight.run / 'scenario.yaml').read_text(), 'flown'), [0], record=True)
+    run, alone = flown_again(flight.run, True)
     for signal, parts in ((TRUTH, ('state', 'torque')), (THRUST, ('command',)),
                           (LAW, ('error', 'inside'))):
         for part in parts:

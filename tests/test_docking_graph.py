@@ -3,10 +3,8 @@
 from conftest import Flown
 import numpy as np
 import pytest
+from runs import flown_again
 
-from rvd_dynamics.diagram.in_process import fly
-from rvd_dynamics.diagram.scenario import parse
-from rvd_dynamics.recording.reader import read
 from rvd_missions.docking.signals import ESTIMATE, GUIDANCE, POSE, THRUST, TRUTH
 
 SHORT = '''
@@ -25,8 +23,7 @@ def test_a_flight_is_the_loop_in_one_process_to_the_last_bit(processes, tmp_path
     flight = Flown(tmp_path / 'run', str(tmp_path / 'short.yaml'), '--seed', '5', '--headless',
                    '--pace', 'lockstep', '--processes', processes)
     assert flight.code in (0, 1), flight.err
-    run = read(flight.run / 'bag')
-    alone = fly(parse((flight.run / 'scenario.yaml').read_text(), 'flown'), [0], record=True)
+    run, alone = flown_again(flight.run, True)
     for signal in (TRUTH, POSE, ESTIMATE, GUIDANCE, THRUST):
         there, here = run.of(signal), alone.history[signal.name]
         for part in (p.name for p in signal.parts if not p.optional):

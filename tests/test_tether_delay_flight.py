@@ -5,11 +5,9 @@ import json
 from conftest import Flown
 import numpy as np
 import pytest
-from runs import ROOT
+from runs import flown_again, ROOT
 
-from rvd_dynamics.diagram.in_process import fly
-from rvd_dynamics.diagram.scenario import load, parse
-from rvd_dynamics.recording.reader import read
+from rvd_dynamics.diagram.scenario import load
 from rvd_missions.tether_delay.signals import CRAFT, SITUATION, THRUST, TRUTH
 
 SHORT = {'step_s': 0.1, 'timeout_s': 62.0, 'approach__duration_s': [25.0, 25.0],
@@ -28,8 +26,7 @@ def test_a_held_and_replanned_flight_is_the_loop_in_one_process_to_the_last_bit(
     flight = Flown(tmp_path / 'run', str(tmp_path / 'short.yaml'), '--seed', '5', '--headless',
                    '--pace', 'lockstep', '--processes', 'segments')
     assert flight.code in (0, 1), flight.err
-    run = read(flight.run / 'bag')
-    alone = fly(parse((flight.run / 'scenario.yaml').read_text(), 'flown'), [0], record=True)
+    run, alone = flown_again(flight.run, True)
     assert alone.columns['plans'][0] == 2               # a plan made from telemetry was flown, too
     for signal, parts in ((TRUTH, ('state', 'tension')), (THRUST, ('command',)),
                           (CRAFT, ('doing', 'plan')), (SITUATION, ('range', 'ahead'))):

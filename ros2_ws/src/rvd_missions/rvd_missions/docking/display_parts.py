@@ -95,11 +95,11 @@ def forms(scenario: Scenario) -> tuple[Form, ...]:
             ('start.attitude_deg', 'roll, pitch, yaw', 'deg'),
             ('aim.distance_m', 'distance to hover at', 'm'),
             ('aim.nominal_s', 'nominal time', 's'), ('timeout_s', 'length of the run', 's'))),
-        Form('Planning', controller(
+        Form('Planning', (*shared(('planner', 'planner')), *controller(
             ('profile.fast_m_s', 'fast', 'm/s'), ('profile.dock_m_s', 'docking', 'm/s'),
             ('profile.acceleration_m_s2', 'acceleration', 'm/s\u00b2'),
             ('profile.lateral_s', 'offset away in', 's'), ('safety.active', 'safety strategy'),
-            ('allocation', 'allocation'))),
+            ('allocation', 'allocation'), ('attitude_law', 'law of the attitude')))),
         Form('Position loops', loop('position', '1/m')),
         Form('Attitude loops', loop('attitude', '1/rad')),
         Form('Camera', (*shared(

@@ -109,11 +109,6 @@ class Design:
         """Speed on it."""
         return limit_cycle(self.loop.dead_band, self.shortest_pulse_s, self.acceleration)[1]
 
-    def propellant_kg_s(self, force: float, specific_impulse_s: float) -> float:
-        """Return the propellant rate on the limit cycle [kg/s]: two pulses a period."""
-        return 2.0*force*self.shortest_pulse_s/(
-            specific_impulse_s*9.80665*self.limit_cycle_s)
-
     def phase_lead(self, frequency: float, delay_s: float) -> float:
         """
         Return the phase by which the mean thrust leads an error of `frequency` [rad/s], in rad.
