@@ -118,7 +118,7 @@ def test_a_ring_started_in_any_order_flies_to_its_end(hand):
     assert truth[-1].final and truth[-1].position.x >= 0.0
     hand.until(lambda: len(thrust) == len(truth), 'a thruster command for each truth')
     for name, process in hand.processes.items():
-        assert process.wait(20.0) == 0, name
+        assert process.wait(20.0) == 0, f'{name} says: {process.stderr.read()}'
 
 
 def test_a_node_of_ones_own_can_be_the_pilot(hand):
