@@ -81,16 +81,28 @@ def python(text: str, **more: str) -> tuple[subprocess.CompletedProcess, float]:
     return done, time.monotonic() - begun
 
 
-def test_a_process_stuck_outside_python_is_ended_and_says_where():
-    done, took_s = python('import ctypes\nfrom rvd_dynamics.lifeline import leaving\n'
-                          'with leaving(0.3):\n    ctypes.PyDLL(None).sleep(50)\n')
-    assert done.returncode == 1 and took_s < 20.0
-    assert 'Timeout' in done.stderr and 'line 4' in done.stderr
+STUCK = """
+import ctypes
+from rvd_dynamics.lifeline import leaving
+try:
+    {before}
+finally:
+    with leaving(0.3):
+        ctypes.PyDLL(None).sleep(50)
+"""
+
+
+@pytest.mark.parametrize('before, code', [('pass', 0), ('raise SystemExit(2)', 2),
+                                          ('raise SystemExit("told in words")', 1), ('1 / 0', 1)])
+def test_a_process_stuck_outside_python_is_ended_with_its_code_and_says_where(before, code):
+    done, took_s = python(STUCK.format(before=before))
+    assert done.returncode == code and took_s < 20.0
+    assert 'Timeout' in done.stderr and 'line 8' in done.stderr
 
 
 def test_one_that_leaves_in_time_is_let_be():
     done, _ = python('import time\nfrom rvd_dynamics.lifeline import leaving\n'
-                     'with leaving(0.3):\n    pass\ntime.sleep(1.0)\n')
+                     'with leaving(0.3):\n    pass\ntime.sleep(1.5)\n')
     assert done.returncode == 0 and not done.stderr
 
 

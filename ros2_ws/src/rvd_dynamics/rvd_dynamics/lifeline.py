@@ -10,12 +10,15 @@ import faulthandler
 import os
 import signal
 import sys
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 
 PARENT = 'RVD_PARENT'           # environment: process id of who has started this one
 LEAVE_S = 5.0                   # [s] wall time to leave the graph: it takes milliseconds
+WRITE_S = 0.5                   # [s] more, to write where it hangs
 PR_SET_PDEATHSIG = 1
+SIGEV_THREAD = 2
 
 _libc = ctypes.CDLL(None)
 
@@ -41,18 +44,62 @@ def hold() -> None:
                      'has gone')
 
 
+class _Event(ctypes.Structure):
+    """`struct sigevent` of Linux: call a function in a thread of its own."""
+
+    _fields_ = [('value', ctypes.c_void_p), ('signal', ctypes.c_int), ('notify', ctypes.c_int),
+                ('function', ctypes.c_void_p), ('attributes', ctypes.c_void_p),
+                ('rest', ctypes.c_char * 32)]
+
+
+class _Times(ctypes.Structure):
+    """`struct itimerspec`: when, and not again."""
+
+    _fields_ = [('again_s', ctypes.c_long), ('again_ns', ctypes.c_long),
+                ('s', ctypes.c_long), ('ns', ctypes.c_long)]
+
+
+@contextmanager
+def _exit_after(seconds: float, code: int) -> Iterator[None]:
+    """End the process with `code` in a thread of the C library, though Python stands still."""
+    library = _libc if hasattr(_libc, 'timer_create') else ctypes.CDLL('librt.so.1')
+    event = _Event(value=code, notify=SIGEV_THREAD,
+                   function=ctypes.cast(_libc._exit, ctypes.c_void_p))
+    timer, whole = ctypes.c_void_p(), int(seconds)
+    armed = library.timer_create(time.CLOCK_MONOTONIC, ctypes.byref(event),
+                                 ctypes.byref(timer)) == 0
+    if armed:
+        library.timer_settime(timer, 0, ctypes.byref(
+            _Times(s=whole, ns=int((seconds - whole) * 1e9))), None)
+    try:
+        yield
+    finally:
+        if armed:
+            library.timer_delete(timer)
+
+
+def _code_on_the_way() -> int:
+    """Return the exit code that the exception at hand leads to; 0 without one."""
+    error = sys.exc_info()[1]
+    if isinstance(error, SystemExit):
+        return error.code if isinstance(error.code, int) else int(error.code is not None)
+    return int(error is not None)
+
+
 @contextmanager
 def leaving(seconds: float = LEAVE_S) -> Iterator[None]:
     """
-    End this process by force, with code 1, if what is done meanwhile is not done in time.
+    End this process by force if what is done meanwhile is not done in time.
 
     Of some hundred processes that leave it at one time, one hangs in Fast DDS 2.14: a thread that
     takes notice of another participant's end waits for a lock that the deletion of this one holds,
-    and the reverse. The watchdog is a thread outside Python, since that call holds up all of
-    Python; it writes where the process was.
+    and the reverse. The node has done its work by then, so the exit code is the one it was to
+    have: 0, or that of the exception on its way. The watchdogs are threads outside Python, since
+    that call holds up all of Python; the first writes where the process was.
     """
-    faulthandler.dump_traceback_later(seconds, exit=True, file=sys.__stderr__)
+    faulthandler.dump_traceback_later(seconds, file=sys.__stderr__)
     try:
-        yield
+        with _exit_after(seconds + WRITE_S, _code_on_the_way()):
+            yield
     finally:
         faulthandler.cancel_dump_traceback_later()

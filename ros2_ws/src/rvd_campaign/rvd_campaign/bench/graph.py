@@ -277,7 +277,7 @@ def heard(fly: Callable[[int], Any]) -> Any:
     Return what `fly(attempt)` returns, again where the flight could not be measured.
 
     The observer may find the nodes too late; and of some hundred processes one hangs in Fast DDS
-    when it leaves (see `lifeline.leaving`) and is ended with code 1.
+    when it leaves, for some seconds (see `lifeline.leaving`).
     """
     for attempt in range(ATTEMPTS - 1):
         try:
