@@ -31,13 +31,20 @@ def test_a_craft_whose_computer_stood_still_reads_all_of_its_samples(tmp_path):
         pid = node_pid(process.pid, 'onboard')
         bag = tmp_path / 'run' / 'bag' / 'bag_0.mcap'
         wait_for(lambda: bag.exists() and bag.stat().st_size > 100_000, 'the first steps')
+        watch = node_pid(process.pid, 'watch')          # goes behind those that keep the pace
+        assert os.getpriority(os.PRIO_PROCESS, watch) > os.getpriority(os.PRIO_PROCESS, pid)
         os.kill(pid, signal.SIGSTOP)
         time.sleep(STOPPED_S)
         os.kill(pid, signal.SIGCONT)
         assert process.wait(90.0) in (0, 1)
     finally:
         end(process)
-    late = [event.text for event in messages(tmp_path / 'run', '/run/events')
+    events = messages(tmp_path / 'run', '/run/events')
+    kept, = [event for event in events if event.code == 'PACE']
+    assert kept.step == 600 and ' in 601 steps; ' in kept.text
+    # the thrusters' commands of the steps in which their computer stood still, at least
+    assert int(kept.text.split()[0]) >= 100*STOPPED_S - 5
+    late = [event.text for event in events
             if event.code == 'LATE' and event.node == 'docking_navigation']
     assert len(late) < 2, late                  # told at the 1st, 10th, 100th missing input
     run = read(tmp_path / 'run' / 'bag')

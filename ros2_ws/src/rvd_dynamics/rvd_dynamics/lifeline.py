@@ -10,7 +10,6 @@ import faulthandler
 import os
 import signal
 import sys
-import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 
@@ -19,6 +18,7 @@ LEAVE_S = 5.0                   # [s] wall time to leave the graph: it takes mil
 WRITE_S = 0.5                   # [s] more, to write where it hangs
 PR_SET_PDEATHSIG = 1
 SIGEV_THREAD = 2
+CLOCK_MONOTONIC = 1
 
 _libc = ctypes.CDLL(None)
 
@@ -66,7 +66,7 @@ def _exit_after(seconds: float, code: int) -> Iterator[None]:
     event = _Event(value=code, notify=SIGEV_THREAD,
                    function=ctypes.cast(_libc._exit, ctypes.c_void_p))
     timer, whole = ctypes.c_void_p(), int(seconds)
-    armed = library.timer_create(time.CLOCK_MONOTONIC, ctypes.byref(event),
+    armed = library.timer_create(CLOCK_MONOTONIC, ctypes.byref(event),
                                  ctypes.byref(timer)) == 0
     if armed:
         library.timer_settime(timer, 0, ctypes.byref(

@@ -27,7 +27,8 @@ from rvd_campaign.flight.supervisor import Supervisor
 from rvd_campaign.report.attempt import attempt
 from rvd_groundstation.operators.tape import read_tape, TOPIC
 
-START_S = 60.0                  # [s] wall time for the graph to come up
+# [s] wall time for the graph to come up; in real time it compiles before it starts, where it must
+START_S = {'lockstep': 60.0, 'realtime': 180.0}
 END_S = 15.0                    # [s] wall time for the nodes to end after the verdict
 STALL_S = 10.0                  # [s] wall time without a step before the run is given up
 USUAL_PACE = '10'               # of a scenario that names none
@@ -225,7 +226,7 @@ class Flight:
 
     def _follow(self) -> str | None:
         """Return None when the run has ended, or the sentence that says why it could not."""
-        begun, gone_at = time.monotonic(), None
+        begun, gone_at, start_s = time.monotonic(), None, START_S[self._run.pace]
         while True:
             stopped_s = self._look(SHOW_S if self._watch.steps else 0.05)
             begun += stopped_s
@@ -251,16 +252,16 @@ class Flight:
                 gone_at = now if gone_at is None else gone_at + stopped_s
                 if now - gone_at > END_S:
                     return f'{", ".join(gone)} ended before the run was over'
-            if not self._watch.steps and now - begun > START_S:
+            if not self._watch.steps and now - begun > start_s:
                 foreign = [e for e in self._roster.diagram.externals if e.foreign]
                 silent = [topic for e in foreign for topic in e.writes
                           if not self._watch.is_written(topic)]
                 if silent:
-                    return (f'the graph did not come up in {START_S:g} s: nobody publishes '
+                    return (f'the graph did not come up in {start_s:g} s: nobody publishes '
                             f'{", ".join(silent)} with ROS_DOMAIN_ID={self._domain}: start its driver')
                 waiting = sorted(set(self._roster.names) - self._watch.ready
                                  - {e.name for e in foreign})
-                return (f'the graph did not come up in {START_S:g} s: not ready: '
+                return (f'the graph did not come up in {start_s:g} s: not ready: '
                         f'{", ".join(waiting) or self._roster.diagram.plant}')
             if self._stalled(now):
                 return f'no step for {STALL_S:g} s of wall time: {self._owing()}'

@@ -6,11 +6,14 @@ the link's two legs are one executable, run under the name of each. `block_group
 group:=NAME` starts all the nodes that share the process NAME when `processes` is not `blocks`.
 """
 
+import gc
+import os
 import sys
 
 from rvd_dynamics import lifeline
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.block import Block, Leg
+from rvd_dynamics.diagram.rehearsal import rehearse
 from rvd_dynamics.diagram.ros.arguments import Arguments, parsed
 from rvd_dynamics.diagram.ros.block_node import BlockNode
 from rvd_dynamics.diagram.ros.firing import FiringNode
@@ -20,6 +23,7 @@ from rvd_dynamics.diagram.ros.plant_node import PlantNode
 from rvd_dynamics.diagram.roster import GROUP_EXECUTABLE, MARKERS, MONITOR, RECORDER
 
 LEG_EXECUTABLE = 'link_emulator'
+NICE = 10                       # of a process that only watches, in real time
 
 
 def main() -> None:
@@ -30,7 +34,13 @@ def main() -> None:
     except BadInput as error:
         print(f'{sys.argv[0].rsplit("/", 1)[-1]}: {error}', file=sys.stderr)
         sys.exit(2)
-    run(lambda host: make(host, wanted(host, arguments)), arguments, sys.argv)
+
+    def make_all(host: Host) -> None:
+        names = wanted(host, arguments)
+        make(host, names)
+        if host.scenario.run.pace == 'realtime':
+            _prepare(host, names)
+    run(make_all, arguments, sys.argv)
 
 
 def wanted(host: Host, arguments: Arguments) -> tuple[str, ...]:
@@ -70,6 +80,17 @@ def make(host: Host, names: tuple[str, ...]) -> None:
         node.connect()
     for node in blocks:
         node.make()
+
+
+def _prepare(host: Host, names: tuple[str, ...]) -> None:
+    """Get ready to keep the pace: nothing is left for later, and the ring goes before watchers."""
+    in_ring = any(name in host.roster.blocks for name in names)
+    if in_ring or MONITOR in names:
+        rehearse(host.scenario)
+    if not in_ring:
+        os.nice(NICE)
+    gc.collect()
+    gc.freeze()                                 # a look through all that is loaded takes 0.1 s
 
 
 def node_of(host: Host, block: Block) -> FiringNode:

@@ -3,6 +3,7 @@
 import time
 from typing import Any
 
+import numpy as np
 from rclpy.serialization import deserialize_message
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import Bool, String, UInt64
@@ -35,6 +36,7 @@ class PlantNode(BlockNode):
         self._started_ns: int | None = None     # wall time
         self._recorded: int | None = None
         self._strangers: set[str] = set()       # runs that came into this one
+        self._late_s: list[float] = []          # in real time: wall time of a step after its due
         self._waiting_for = set(self.roster.names) - {
             e.name for e in self.roster.externals.values() if e.foreign}
         self._time, self._time_layout = self.writer('/clock', Clock), Layout(Clock)
@@ -67,6 +69,8 @@ class PlantNode(BlockNode):
             self._check(k, outputs)
             raise
         if final:
+            if self.realtime:
+                self.event('PACE', self._pace_kept())
             self.host.publish(self._end, '/run/end', -1, UInt64(data=k))
             self.host.end(k)
 
@@ -132,10 +136,19 @@ class PlantNode(BlockNode):
         self._wake(now - self._ticked)
         until = now + SLICE_S                   # a plant that is behind hears the others, too
         while (not self._paused and not self.finished and not self._is_over()
-               and self._origin + self._next * self._step_s <= time.monotonic() < until):
+               and (due := self._origin + self._next * self._step_s) <= time.monotonic() < until):
+            self._late_s.append(time.monotonic() - due)
             self.fire()
             self.host.work()                    # what of it is here fires before the next step
         self._ticked = time.monotonic()
+
+    def _pace_kept(self) -> str:
+        """Say how well real time was kept: commands that were missing, and when steps were made."""
+        middle, most, worst = (f'{1e3*late:.1f}' for late in
+                               np.percentile(self._late_s, (50, 99, 100)))
+        return (f'{self.missing_count} commands missing in {len(self._late_s)} steps; steps came '
+                f'{middle} ms after they were due at the median, {most} ms at the 99th '
+                f'percentile, {worst} ms at most')
 
     def _wake(self, still_s: float) -> None:
         """Take up the clock where it was left, if this process was stopped meanwhile."""
