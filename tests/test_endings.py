@@ -3,11 +3,13 @@
 import os
 import signal
 import time
+from types import SimpleNamespace
 
 import pytest
 from runs import (
     alive, end, in_flight, messages, node_pid, pids_under, start_rvd, verdict_of, wait_for)
 
+from rvd_campaign.flight import fly
 from rvd_dynamics.recording.reader import read
 
 
@@ -104,32 +106,47 @@ def test_a_run_does_not_go_on_without_a_node_that_somebody_has_ended(name, flyin
     assert f'{name} ended before the run was over' in (tmp_path / 'out').read_text()
 
 
-def test_a_node_that_hangs_after_the_flight_does_not_take_the_verdict_with_it(monkeypatch, capsys):
-    """The supervisor is played here: hanging in the middleware cannot be had on demand."""
-    from types import SimpleNamespace
-
-    from rvd_campaign.flight import fly
+def after_a_flight(monkeypatch, folder, spin):
+    """Return a flight that waits for its nodes, one of which does not end; `spin` is its time."""
     monkeypatch.setattr(fly, 'END_S', 0.1)
     flight = object.__new__(fly.Flight)
-    flight._headless, flight._on_line = True, False
+    flight._run_dir, flight._headless, flight._on_line = folder, True, False
     flight._roster = SimpleNamespace(diagram=SimpleNamespace(externals=()))
     flight._supervisor = SimpleNamespace(pids={'a': 1, 'link_forward': 2}, codes={'a': 0},
                                          ended=False, failures=dict,
                                          end_if_left=lambda names: None)
-    flight._watch = SimpleNamespace(spin=lambda s: time.sleep(0.01), new_events=list, steps=1)
-    flight._wait_for_the_nodes()
+    flight._watch = SimpleNamespace(spin=spin, new_events=list, steps=1)
+    return flight
+
+
+def test_a_node_that_hangs_after_the_flight_does_not_take_the_verdict_with_it(
+        monkeypatch, tmp_path, capsys):
+    """The supervisor is played here: hanging in the middleware cannot be had on demand."""
+    after_a_flight(monkeypatch, tmp_path, lambda s: time.sleep(0.01))._wait_for_the_nodes()
     assert 'link_forward did not end after the flight' in capsys.readouterr().err
+
+
+def test_a_recorder_that_still_writes_is_waited_for(monkeypatch, tmp_path, capsys):
+    (tmp_path / 'bag').mkdir()
+    draft, looks = tmp_path / 'bag' / 'bag_0.mcap.draft', []
+
+    def spin(seconds):
+        looks.append(draft.write_bytes(b'.'*len(looks)))
+        time.sleep(0.02)
+        flight._supervisor.ended = len(looks) == 20         # four times as long as a hung one gets
+        flight._supervisor.codes['link_forward'] = 0
+    flight = after_a_flight(monkeypatch, tmp_path, spin)
+    flight._wait_for_the_nodes()
+    assert len(looks) == 20 and capsys.readouterr().err == ''
 
 
 @pytest.mark.parametrize('final', [True, False])
 def test_a_node_that_fails_when_the_bag_has_the_verdict_takes_nothing_with_it(
-        final, monkeypatch, capsys):
+        final, monkeypatch, tmp_path, capsys):
     """`fly` need not have heard the verdict: a short run is over before it knows the others."""
-    from types import SimpleNamespace
-
-    from rvd_campaign.flight import fly
     flight = object.__new__(fly.Flight)
     flight._headless, flight._on_line, flight._stop_asked = True, False, lambda: False
+    flight._run_dir = tmp_path
     flight._roster = SimpleNamespace(diagram=SimpleNamespace(externals=()))
     flight._supervisor = SimpleNamespace(pids={'world': 1}, codes={'world': 1}, ended=True,
                                          failures=lambda: {'world': 1})

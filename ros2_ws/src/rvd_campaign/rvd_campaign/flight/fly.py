@@ -226,7 +226,7 @@ class Flight:
 
     def _follow(self) -> str | None:
         """Return None when the run has ended, or the sentence that says why it could not."""
-        begun, gone_at, start_s = time.monotonic(), None, START_S[self._run.pace]
+        begun, gone_at = time.monotonic(), None
         while True:
             stopped_s = self._look(SHOW_S if self._watch.steps else 0.05)
             begun += stopped_s
@@ -252,7 +252,7 @@ class Flight:
                 gone_at = now if gone_at is None else gone_at + stopped_s
                 if now - gone_at > END_S:
                     return f'{", ".join(gone)} ended before the run was over'
-            if not self._watch.steps and now - begun > start_s:
+            if not self._watch.steps and now - begun > (start_s := START_S[self._run.pace]):
                 foreign = [e for e in self._roster.diagram.externals if e.foreign]
                 silent = [topic for e in foreign for topic in e.writes
                           if not self._watch.is_written(topic)]
@@ -329,14 +329,17 @@ class Flight:
         Let every node end, now that the verdict is known; say which one did not end well.
 
         The middleware has been seen, once, to hang for ever while a process left it
-        (`destroy_node`): that must not take the flight with it.
+        (`destroy_node`): that must not take the flight with it. A long bag takes a slow disk
+        longer than that to write its index; as long as it grows, the recorder works.
         """
         _load_the_report()
-        deadline = time.monotonic() + END_S
+        deadline, written = time.monotonic() + END_S, self._written()
         foreign = {e.name for e in self._roster.diagram.externals if e.foreign}
         while not self._supervisor.ended and time.monotonic() < deadline:
             self._supervisor.end_if_left(foreign)
             deadline += self._look(SHOW_S)
+            if self._written() != written:
+                deadline, written = time.monotonic() + END_S, self._written()
         late = sorted(set(self._supervisor.pids) - set(self._supervisor.codes))
         if late:
             self._end_line()
@@ -346,6 +349,12 @@ class Flight:
             self._end_line()
             print(f'rvd fly: after the flight {self._why(self._supervisor.failures())}',
                   file=sys.stderr)
+
+    def _written(self) -> int:
+        """Return how much there is of the bag, with what is about to take its place [bytes]."""
+        with contextlib.suppress(OSError):      # a draft has just taken its place
+            return sum(file.stat().st_size for file in (self._run_dir / 'bag').iterdir())
+        return 0
 
     def _stalled(self, now: float) -> bool:
         watch, run = self._watch, self._run
