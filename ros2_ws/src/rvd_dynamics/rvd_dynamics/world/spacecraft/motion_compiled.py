@@ -177,8 +177,11 @@ def panel(y, at, angle, turn, row, part, modes, keep, kept, wx, wy, wz):
     c3 = 2*turn*(lx*wx + ly*wy + lz*wz + ew*nn)
     # the modes: P = e a, R = k a + c d with k = root x e
     kx, ky, kz = ry*ez - rz*ey, rz*ex - rx*ez, rx*ey - ry*ex
-    for i, value in enumerate((ex, ey, ez, kx, ky, kz, cx, cy, cz, lx, ly, lz, u, nn, nd)):
-        keep[kept + i] = value
+    keep[kept], keep[kept + 1], keep[kept + 2] = ex, ey, ez
+    keep[kept + 3], keep[kept + 4], keep[kept + 5] = kx, ky, kz
+    keep[kept + 6], keep[kept + 7], keep[kept + 8] = cx, cy, cz
+    keep[kept + 9], keep[kept + 10], keep[kept + 11] = lx, ly, lz
+    keep[kept + 12], keep[kept + 13], keep[kept + 14] = u, nn, nd
     fx = -(wy*gz - wz*gy + cx*vt - ex*ft + ex*qa)
     fy = -(wz*gx - wx*gz + cy*vt - ey*ft + ey*qa)
     fz = -(wx*gy - wy*gx + cz*vt - ez*ft + ez*qa)
@@ -271,8 +274,10 @@ def tank(y, at, hub, row, part, count, keep, kept, wx, wy, wz):
              - root*(ax*hx + ay*hy + az*hz))
         ax, ay, az = root*ax, root*ay, root*az
         kx, ky, kz = ry*az - rz*ay, rz*ax - rx*az, rx*ay - ry*ax
-        for j, value in enumerate((q, ax, ay, az, kx, ky, kz)):
-            keep[kept + KEPT_AXIS*i + j] = value
+        to = kept + KEPT_AXIS*i
+        keep[to] = q
+        keep[to + 1], keep[to + 2], keep[to + 3] = ax, ay, az
+        keep[to + 4], keep[to + 5], keep[to + 6] = kx, ky, kz
         fx, fy, fz = fx - ax*q, fy - ay*q, fz - az*q
         tx, ty, tz = tx - kx*q, ty - ky*q, tz - kz*q
         if count > 1:                           # else its inertia is constant, and the hub's
