@@ -3,16 +3,13 @@ The digital spacecraft: how many times real time its plant, its closed loop and 
 rows and in many, and how long the optimal plan takes. Compilation and imports do not count.
 """
 
-import subprocess
-import sys
-import tempfile
 import time
 from itertools import product
-from pathlib import Path
 
 import numpy as np
 
 from rvd_campaign import catalogue
+from rvd_campaign.bench import pace
 from rvd_campaign.bench.laws import Goal
 from rvd_dynamics.diagram.in_process import fly
 from rvd_dynamics.diagram.scenario import load, Scenario
@@ -36,6 +33,7 @@ GOALS = {
     'gauss_s': Goal(f'Gauss plan, K = {NODES}, cold', 's', high=0.3),
     'gauss_again_s': Goal('  again after 1 cm/s and 5 mrad, slowest of eight', 's', high=0.1),
     'one_real_time': Goal('fly docking in one process, times real time, start included', low=5),
+    **pace.goals(300),
 }
 
 
@@ -49,7 +47,8 @@ def measure(quick: bool = False) -> dict[str, float]:
     made['campaign_min'] = RUNS*RUN_S/(CORES*made['simple']*60.0)
     made |= _plans()
     if not quick:
-        made['one_real_time'] = _real_time(scenario)
+        made['one_real_time'] = pace.times_real_time('docking', scenario.run.timeout_s, 'one')
+        made |= pace.in_real_time('docking')
     return {name: made[name] for name in GOALS if name in made}
 
 
@@ -104,15 +103,3 @@ def _plans() -> dict[str, float]:
         return time.perf_counter() - begun
     again((0, 0, 0))                            # builds the solver for starts from a plan
     return made | {'gauss_again_s': max(again(signs) for signs in product((-1, 1), repeat=3))}
-
-
-def _real_time(scenario: Scenario) -> float:
-    """Return how many times real time a whole flight over DDS in lock step is."""
-    with tempfile.TemporaryDirectory() as folder:
-        command = [sys.executable, '-m', 'rvd_campaign.cli', 'fly', 'docking', '--headless',
-                   '--pace', 'lockstep', '--processes', 'one', '--out', str(Path(folder) / 'run')]
-        begun = time.perf_counter()
-        done = subprocess.run(command, stdout=subprocess.DEVNULL, check=False)
-        if done.returncode not in (0, 1):       # 1: flown, not hovering
-            done.check_returncode()
-        return scenario.run.timeout_s/(time.perf_counter() - begun)

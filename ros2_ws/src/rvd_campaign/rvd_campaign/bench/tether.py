@@ -3,14 +3,11 @@ The tethered gripper: how long a plan takes, how many closed-loop runs a core fl
 the graph is. Compilation and imports do not count.
 """
 
-import subprocess
-import sys
-import tempfile
 import time
 from itertools import product
-from pathlib import Path
 
 from rvd_campaign import catalogue
+from rvd_campaign.bench import pace
 from rvd_campaign.bench.laws import Goal
 from rvd_dynamics.diagram.in_process import fly
 from rvd_dynamics.diagram.scenario import load, Scenario
@@ -27,6 +24,7 @@ GOALS = {
                             low=60),
     'one_real_time': Goal('fly tether in one process, times real time, start included', low=5),
     'segments_real_time': Goal('fly tether in segments, times real time, start included', low=1),
+    **pace.goals(100),
 }
 
 
@@ -36,8 +34,9 @@ def measure(quick: bool = False) -> dict[str, float]:
     fly(scenario.with_values('/**', step_s=0.1), [0])
     made = {**_plans(scenario), 'runs_per_core_s': _rate(scenario, 50 if quick else BATCH)}
     if not quick:
-        made |= {f'{processes}_real_time': _real_time(scenario, processes)
-                 for processes in ('one', 'segments')}
+        made |= {f'{processes}_real_time': pace.times_real_time(
+            'tether', scenario.run.timeout_s, processes) for processes in ('one', 'segments')}
+        made |= pace.in_real_time('tether')
     return made
 
 
@@ -72,14 +71,3 @@ def _rate(scenario: Scenario, batch: int) -> float:
     begun = time.process_time()
     fly(scenario, range(batch))
     return batch/(time.process_time() - begun)
-
-
-def _real_time(scenario: Scenario, processes: str) -> float:
-    """Return how many times real time a whole flight over DDS is."""
-    with tempfile.TemporaryDirectory() as folder:
-        command = [sys.executable, '-m', 'rvd_campaign.cli', 'fly', 'tether', '--headless',
-                   '--pace', 'lockstep', '--processes', processes,
-                   '--out', str(Path(folder) / 'run')]
-        begun = time.perf_counter()
-        subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
-        return scenario.run.timeout_s/(time.perf_counter() - begun)
