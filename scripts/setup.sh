@@ -215,9 +215,11 @@ load_underlay() {
 }
 
 build_workspace() {
+    local sources
+    find_sources
     load_underlay
     cd "$root/ros2_ws"
-    python -m colcon --log-base "$state/log/colcon" build --symlink-install --base-paths src \
+    python -m colcon --log-base "$state/log/colcon" build --symlink-install --base-paths "${sources[@]}" \
         --build-base "$state/build" --install-base "$state/install" \
         --event-handlers console_direct+ --cmake-args -DBUILD_TESTING=OFF
 }
@@ -308,9 +310,11 @@ import rvd_campaign
 import rvd_dynamics
 import rvd_groundstation
 from rvd_interfaces.msg import RelativeState
+from tf2_msgs.msg import TFMessage
 
 message = RelativeState()
 message.position.x = -30.0
+TFMessage()
 print('numpy', numpy.__version__, 'rclpy', rclpy.__file__)
 PYTHON
 }
