@@ -48,7 +48,7 @@ build_inputs() {
 }
 
 # Set `sources` to what colcon builds: the workspace, and from ros2_extra/ the packages of ROS 2 that
-# are not among its wheels, where the ROS in use does not bring them. A package of ROS is never hidden.
+# are not among its wheels, unless the ROS in use brings them: what is of ROS is never hidden.
 find_sources() {
     local package prefix prefixes=()
     [[ $ros == /* ]] && prefixes=("$ros")

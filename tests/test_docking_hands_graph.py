@@ -40,7 +40,8 @@ SIGNALS = (TRUTH, ESTIMATE, GUIDANCE, THRUST, hands.STEERING, hands.TRANSLATION,
 
 
 # as a tf2 listener takes them
-TF, STILL = QoSProfile(depth=100), QoSProfile(depth=100, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+TF = QoSProfile(depth=100)
+STILL = QoSProfile(depth=100, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 
 
 class Listener:
@@ -190,7 +191,7 @@ def test_who_listens_during_the_flight_hears_frames_that_are_truth_and_odometry(
             given.step, given['position'], given['attitude'])}
     odometry = {at(m): (xyz(m.pose.pose.position), xyzw(m.pose.pose.orientation))
                 for m in heard['/chaser/odometry']}
-    assert len(heard['/tf']) > 20               # of 31; a listener without memory may miss the first
+    assert len(heard['/tf']) > 20               # of 31; one without memory may miss the first
     both = 0
     for message in heard['/tf']:
         k = at(message.transforms[0])

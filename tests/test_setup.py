@@ -132,6 +132,14 @@ def test_it_may_be_started_by_the_name_of_a_shell(project, shell, posix):
         assert script in done.stdout or 'setup takes' in done.stderr
 
 
+def test_basilisk_is_set_up_by_a_python_that_is_named(project):
+    for arguments in ((), ('/no/such/python',)):
+        done = subprocess.run(['scripts/setup.sh', '--basilisk', *arguments], cwd=project,
+                              env=outside(), capture_output=True, text=True)
+        assert refusal(done) == 'rvd: --basilisk takes a Python that has uv\n'
+    assert not (project / '.rvd').exists()
+
+
 def test_what_an_installed_ros_brings_is_not_built(project, tmp_path):
     """tf2_msgs of ROS is not hidden, and one that comes later makes the set-up build again."""
     def asked(ros, **variables):

@@ -29,8 +29,8 @@ SCENARIO = parse('/**: {ros__parameters: {}}', 'viewed')
 TOPICS = Roster(SCENARIO).topics | {
     t: f'{k.__module__.split(".")[0]}/msg/{k.__name__}' for t, k in markers.TOPICS.items()}
 # of a mission with standard messages
-ODOMETRY = {topic: kind for topic, kind in Roster(load(
-    CONFIG.parent / 'scenarios' / 'docking_manual.yaml')).topics.items() if kind.endswith('Odometry')}
+DOCKING = Roster(load(CONFIG.parent / 'scenarios' / 'docking_manual.yaml')).topics
+ODOMETRY = {topic: kind for topic, kind in DOCKING.items() if kind.endswith('Odometry')}
 LATCHED = ('/viz/corridor', '/viz/control_boundary', '/viz/target')
 MARKERS = [sys.executable, '-c', 'from rvd_dynamics.diagram.ros.main import main; main()',
            '--ros-args', '-r', '__node:=markers']

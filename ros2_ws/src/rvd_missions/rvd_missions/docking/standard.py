@@ -113,7 +113,7 @@ def moving(truth: Any, estimate: Any) -> Any:
 
 
 def still(camera: CameraParams, batch: tuple) -> Any:
-    """Return place and rotation of each of `still_frames` in its parent, as a value of TF_STATIC."""
+    """Return place and rotation of each of `still_frames`, as a value of TF_STATIC."""
     place = np.array([camera.place_m, np.zeros(3)], dtype=float)
     turn = np.array([[0.0, 0.0, 0.0, 1.0], OPTICAL])
     return TF_STATIC(place=np.broadcast_to(place, (*batch, STILL, 3)),
