@@ -4,6 +4,8 @@
 # requirements.lock, the built workspace, and env.sh, which loads both.
 #
 #   scripts/setup.sh [--again]          --again: from nothing, whatever is there
+#   scripts/setup.sh --basilisk PYTHON  only the environment of Basilisk, .rvd/basilisk/, by a
+#                                       Python that has uv: tests and benchmark call this
 #
 # Runs on first use of `./rvd`, and again when the lock file, a message, a package's build files,
 # the location of the project or the Python has changed. A stage counts as done only once the
@@ -136,7 +138,8 @@ stage() {
     [[ -t 2 ]] && printf '\r\e[K' >&2
     if ((status)); then
         tail -n 15 "$log" >&2
-        die "set-up failed while $label; the whole log is .rvd/log/$name.log; to try again: ./rvd setup"
+        die "set-up failed while $label; the whole log is .rvd/log/$name.log; to try again:" \
+            "${again_by:-./rvd setup}"
     fi
     say "$label: $((SECONDS - start)) s"
 }
@@ -173,11 +176,13 @@ create_environment() {
     printf '%s\n' "${RVD_PYTHON:-}" "$python" > "$state/python"
 }
 
-# install TOOL FILE: install exactly the entries of a lock file.
+# install TOOL FILE: install exactly the entries of a lock file into $venv; `uv`: that of $venv, or of
+# the Python $uv.
 install() {
-    local tool=("$1")
-    [[ $1 == uv ]] && tool=(env -u UV_CONSTRAINT -u UV_OVERRIDE "$venv/bin/python" -m uv pip)
-    "${tool[@]}" install --no-deps --no-build-isolation --require-hashes -r "$2"
+    local tool=("$1") into=()
+    [[ $1 == uv ]] && into=(--python "$venv/bin/python") &&
+        tool=(env -u UV_CONSTRAINT -u UV_OVERRIDE "${uv:-$venv/bin/python}" -m uv pip)
+    "${tool[@]}" install "${into[@]}" --no-deps --no-build-isolation --require-hashes -r "$2"
 }
 
 install_packages() {
@@ -199,6 +204,29 @@ install_packages() {
     fi
 }
 
+# ------------------------------------------------------------------------------------- Basilisk
+
+# Basilisk asks for older numpy, matplotlib and pillow than the project has.
+set_up_basilisk() {
+    local uv=$1 venv=$state/basilisk lock=$root/requirements-basilisk.lock inputs
+    local again_by='the same command'
+    inputs=$("$uv" -c 'import os, sys; print(os.path.realpath(sys._base_executable))')
+    inputs+=$'\n'$(sha256sum "$lock")
+    [[ $(recorded "$venv/complete") == "$inputs" ]] && return
+    stage basilisk 'setting up Basilisk to compare with (470 MB)' install_basilisk
+    echo "$inputs" > "$venv/complete"
+}
+
+install_basilisk() {
+    rm -rf "$venv"
+    "$uv" -m venv --without-pip "$venv"
+    if "$uv" -m pip config list | grep -E '\.(index-url|no-index|proxy)=' ||
+        ! install uv "$lock"; then
+        "$venv/bin/python" -m ensurepip
+        install pip "$lock"
+    fi
+}
+
 # ------------------------------------------------------------------------------------ workspace
 
 # The environment below the workspace: ROS and the tools, without the user's settings for colcon.
@@ -215,10 +243,12 @@ load_underlay() {
 }
 
 build_workspace() {
+    local sources
+    find_sources
     load_underlay
     cd "$root/ros2_ws"
-    python -m colcon --log-base "$state/log/colcon" build --symlink-install --base-paths src \
-        --build-base "$state/build" --install-base "$state/install" \
+    python -m colcon --log-base "$state/log/colcon" build --symlink-install \
+        --base-paths "${sources[@]}" --build-base "$state/build" --install-base "$state/install" \
         --event-handlers console_direct+ --cmake-args -DBUILD_TESTING=OFF
 }
 
@@ -308,9 +338,11 @@ import rvd_campaign
 import rvd_dynamics
 import rvd_groundstation
 from rvd_interfaces.msg import RelativeState
+from tf2_msgs.msg import TFMessage
 
 message = RelativeState()
 message.position.x = -30.0
+TFMessage()
 print('numpy', numpy.__version__, 'rclpy', rclpy.__file__)
 PYTHON
 }
@@ -356,9 +388,11 @@ gone_from() {                                   # gone_from BEFORE NOW: files th
     comm -23 <(cut -c67- <<< "$1" | sort) <(cut -c67- <<< "$2" | sort)
 }
 
+again='' basilisk=''
 case "${1:-}" in
-    '') again='' ;;
+    '') ;;
     --again) again=yes ;;
+    --basilisk) basilisk=$(command -v "${2:-}") || die '--basilisk takes a Python that has uv' ;;
     *) die "setup takes --again or nothing, not '$1'" ;;
 esac
 mkdir -p "$state" 2> /dev/null || die "cannot write to $root"
@@ -368,6 +402,10 @@ if ! flock --nonblock 9; then
     flock 9
 fi
 trap 'say "interrupted; the next command repairs it"; exit 130' INT
+if [[ -n $basilisk ]]; then
+    set_up_basilisk "$basilisk"
+    exit
+fi
 find_ros
 unset PYTHONHOME PYTHONWARNINGS PYTHONINSPECT PYTHONHASHSEED PYTHONPLATLIBDIR PYTHONIOENCODING
 unset _ROS_WHEELS_BOOTSTRAP_COMPLETE

@@ -36,11 +36,30 @@ venv_inputs() {
 }
 
 build_inputs() {
-    local LC_ALL=C src=$root/ros2_ws/src files
+    local LC_ALL=C src=$root/ros2_ws/src sources package files
+    find_sources
     shopt -s nullglob
     files=("$src"/*/{package.xml,setup.py,setup.cfg,CMakeLists.txt} "$src"/*/{msg,srv,action}/*)
+    for package in "${sources[@]:1}"; do
+        files+=("$package"/{package.xml,CMakeLists.txt} "$package"/msg/*)
+    done
     shopt -u nullglob
     sha256sum "${files[@]}"
+}
+
+# Set `sources` to what colcon builds: the workspace, and from ros2_extra/ the packages of ROS 2 that
+# are not among its wheels, unless the ROS in use brings them: what is of ROS is never hidden.
+find_sources() {
+    local package prefix prefixes=()
+    [[ $ros == /* ]] && prefixes=("$ros")
+    [[ $ros == sourced ]] && IFS=: read -ra prefixes <<< "$AMENT_PREFIX_PATH"
+    sources=("$root/ros2_ws/src")
+    for package in "$root"/ros2_extra/*; do
+        for prefix in "${prefixes[@]}"; do
+            [[ $prefix == */.rvd/* || ! -e $prefix/share/${package##*/}/package.xml ]] || continue 2
+        done
+        sources+=("$package")
+    done
 }
 
 recorded() {                                    # recorded FILE: its text, nothing if it is missing

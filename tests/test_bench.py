@@ -180,6 +180,22 @@ def test_figures_of_the_laws_all_have_a_name_and_what_bounds_decide_is_most():
     assert rows[laws.GOALS['alarm_us'].words].met is None
 
 
+@pytest.mark.parametrize('machine, libc, said', [
+    ('x86_64', ('glibc', '2.28'), ''), ('aarch64', ('glibc', '2.39'), ''),
+    ('riscv64', ('glibc', '2.39'), 'Basilisk has no wheel for linux on riscv64'),
+    ('x86_64', ('glibc', '2.9'), 'Basilisk has no wheel for glibc 2.9'),
+    ('x86_64', ('', ''), 'Basilisk has no wheel for a libc other than glibc')])
+def test_basilisk_is_left_out_where_it_has_no_wheel_and_the_reason_is_said(
+        machine, libc, said, monkeypatch, capsys):
+    from rvd_campaign.bench import basilisk, docking
+    monkeypatch.setattr(basilisk.platform, 'machine', lambda: machine)
+    monkeypatch.setattr(basilisk.platform, 'libc_ver', lambda: libc)
+    assert basilisk.missing_wheel() == said
+    if said:
+        assert docking._basilisk(quick=True) == {}
+        assert capsys.readouterr().out == f'not raced: {said}\n'
+
+
 @pytest.mark.slow
 def test_figures_of_the_tether_all_have_a_name():
     from rvd_campaign.bench import _tether_rows, tether

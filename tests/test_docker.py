@@ -73,7 +73,7 @@ def test_what_the_set_up_reads_is_copied_before_it_runs():
         if name == 'RUN' and './rvd' in rest:
             break
         before += shlex.split(rest)[:-1] if name == 'COPY' else []
-    assert {'rvd', 'requirements.lock', 'scripts', 'ros2_ws'} <= set(before)
+    assert {'rvd', 'requirements.lock', 'scripts', 'ros2_ws', 'ros2_extra'} <= set(before)
 
 
 def test_every_command_that_is_run_is_apt_or_the_set_up():

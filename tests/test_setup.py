@@ -132,6 +132,41 @@ def test_it_may_be_started_by_the_name_of_a_shell(project, shell, posix):
         assert script in done.stdout or 'setup takes' in done.stderr
 
 
+def test_basilisk_is_set_up_by_a_python_that_is_named(project):
+    for arguments in ((), ('/no/such/python',)):
+        done = subprocess.run(['scripts/setup.sh', '--basilisk', *arguments], cwd=project,
+                              env=outside(), capture_output=True, text=True)
+        assert refusal(done) == 'rvd: --basilisk takes a Python that has uv\n'
+    assert not (project / '.rvd').exists()
+
+
+def test_what_an_installed_ros_brings_is_not_built(project, tmp_path):
+    """tf2_msgs of ROS is not hidden, and one that comes later makes the set-up build again."""
+    def asked(ros, **variables):
+        done = subprocess.run(
+            ['bash', '-c', 'set -euo pipefail; root=$PWD ros=$1; source scripts/state.sh; '
+             'find_sources; printf "%s\\n" "${sources[@]#$root/}"; build_inputs | tail -n 1',
+             'bash', str(ros)], cwd=project, env={**outside(), **variables},
+            capture_output=True, text=True)
+        assert (done.returncode, done.stderr) == (0, ''), done
+        *sources, newest = done.stdout.splitlines()
+        assert newest.endswith('TFMessage.msg') == ('ros2_extra/tf2_msgs' in sources)
+        return sources
+
+    bare, full = tmp_path / 'bare', tmp_path / 'full'
+    (full / 'share' / 'tf2_msgs').mkdir(parents=True)
+    (full / 'share' / 'tf2_msgs' / 'package.xml').touch()
+    bare.mkdir()
+    ours = ['ros2_ws/src', 'ros2_extra/tf2_msgs']
+    assert asked('wheels') == asked(bare) == ours and asked(full) == ours[:1]
+    assert asked('wheels', AMENT_PREFIX_PATH=str(full)) == ours
+    assert asked('sourced', AMENT_PREFIX_PATH=f'{bare}:{full}') == ours[:1]
+    # what an earlier set-up of this project built and the shell has loaded is not ROS
+    own = tmp_path / '.rvd' / 'install'
+    shutil.copytree(full, own)
+    assert asked('sourced', AMENT_PREFIX_PATH=f'{own}:{bare}') == ours
+
+
 @pytest.mark.parametrize('where', ['.', 'elsewhere'])
 def test_a_search_path_of_cd_leads_no_script_astray(project, where):
     (project / 'elsewhere' / 'scripts').mkdir(parents=True)
@@ -614,7 +649,7 @@ def test_an_installed_ros_is_built_on_and_left_as_it_is(ready, project, tmp_path
     path = rvd(project, 'shell', '-c', 'echo $AMENT_PREFIX_PATH', **ros, **loaded).stdout
     entries = path.strip().split(':')
     assert entries[-2:] == ['/home/user/ws', f'{prefix}/ros']
-    packages = len(list((project / 'ros2_ws' / 'src').iterdir()))
+    packages = len([*(project / 'ros2_ws' / 'src').iterdir(), *(project / 'ros2_extra').iterdir()])
     assert f'{prefix}/ros' not in entries[:-2] and len(entries) == packages + 2
 
 

@@ -69,6 +69,9 @@ BAD = {
     'two layouts': (
         lambda: diagram(ONE, OTHER, block('third', reads={'x': now(number('/a', dtype='i8'))})),
         'block third reads /a with another layout than one writes: a signal has one layout'),
+    'still, and read': (
+        lambda: diagram(replace(ONE, writes={'a': replace(A, still=True)}), OTHER),
+        'block other reads /a, which is still: it is published once, for viewers'),
     'cycle': (
         lambda: diagram(replace(ONE, reads={'b': now(B)}), OTHER),
         'blocks one -> other -> one wait for each other: a cycle needs a delay of at least one '

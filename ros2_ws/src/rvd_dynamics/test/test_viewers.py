@@ -21,12 +21,16 @@ from rvd_dynamics.diagram.ros.conversions import header_at, vector
 from rvd_dynamics.diagram.roster import Roster
 from rvd_dynamics.diagram.scenario import load, parse
 from rvd_interfaces.msg import RelativeState, Values
+from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import Marker, MarkerArray
 
 CONFIG = Path(__file__).resolve().parents[4] / 'config'
 SCENARIO = parse('/**: {ros__parameters: {}}', 'viewed')
 TOPICS = Roster(SCENARIO).topics | {
     t: f'{k.__module__.split(".")[0]}/msg/{k.__name__}' for t, k in markers.TOPICS.items()}
+# of a mission with standard messages
+DOCKING = Roster(load(CONFIG.parent / 'scenarios' / 'docking_manual.yaml')).topics
+ODOMETRY = {topic: kind for topic, kind in DOCKING.items() if kind.endswith('Odometry')}
 LATCHED = ('/viz/corridor', '/viz/control_boundary', '/viz/target')
 MARKERS = [sys.executable, '-c', 'from rvd_dynamics.diagram.ros.main import main; main()',
            '--ros-args', '-r', '__node:=markers']
@@ -49,10 +53,11 @@ def inside(value, wanted):
 def test_rviz_shows_topics_that_are_published_with_their_types_and_qualities():
     config = yaml.safe_load((CONFIG / 'rvd.rviz').read_text())
     displays = [d for d in config['Visualization Manager']['Displays'] if 'Topic' in d]
-    assert {d['Topic']['Value'] for d in displays} == set(markers.TOPICS)
+    assert {d['Topic']['Value'] for d in displays} == {*markers.TOPICS, *ODOMETRY}
     for display in displays:
         topic = display['Topic']
-        assert display['Class'].split('/')[1] == TOPICS[topic['Value']].split('/')[-1]
+        kind = (TOPICS | ODOMETRY)[topic['Value']]
+        assert display['Class'].split('/')[1] == kind.split('/')[-1]
         latched = topic['Durability Policy'] == 'Transient Local'
         assert latched == (topic['Value'] in LATCHED)
     assert config['Visualization Manager']['Global Options']['Fixed Frame'] == \
@@ -81,7 +86,7 @@ def test_foxglove_shows_topics_and_fields_that_are_published():
             'double', 'int8', 'uint8', 'uint64'), path
     shown = {t for d in inside(layout, lambda d: 'topics' in d) for t in d['topics']}
     shown |= {d['topicPath'] for d in inside(layout, lambda d: 'topicPath' in d)}
-    assert shown <= set(TOPICS)
+    assert shown <= {*TOPICS, *ODOMETRY} and set(ODOMETRY) <= shown
     panels = set(re.findall(r'"(?:first|second)": "([^"]+)"', json.dumps(layout['layout'])))
     assert panels == set(layout['configById'])
 
@@ -168,6 +173,8 @@ def test_markers_follow_a_run_and_end_with_it(name, shown, monkeypatch):
         profile = qos.LATCHED if topic in LATCHED else qos.VIEW
         node.create_subscription(
             kind, topic, lambda m, t=topic: seen.setdefault(t, []).append(m), profile)
+    node.create_subscription(TFMessage, '/tf_static', lambda m: seen.setdefault(
+        '/tf_static', []).append(m), qos.LATCHED)
     from std_msgs.msg import UInt64
     scenario = CONFIG.parent / 'scenarios' / f'{name}.yaml'
     topics = Roster(load(scenario)).topics
@@ -202,6 +209,8 @@ def test_markers_follow_a_run_and_end_with_it(name, shown, monkeypatch):
         process.kill() if process.poll() is None else None
         node.destroy_node()
         rclpy.try_shutdown(context=context)
+    frame, = (t for message in seen.pop('/tf_static') for t in message.transforms)
+    assert frame.header.frame_id == 'target_lvlh' and frame.transform.rotation.w == 1.0
     assert set(seen) == SHOWN | shown
     took = time.monotonic() - begin
     assert 3 <= len(seen['/viz/ghost']) <= 10 * took + 2        # at most ten a second

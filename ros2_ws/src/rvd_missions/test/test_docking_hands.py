@@ -2,6 +2,10 @@
 Flying by hand: controllers, clicks and rates, the predictor, retreat and abort, whole flights.
 """
 
+import json
+import os
+from pathlib import Path
+
 from hypothesis import given, settings, strategies as st
 import numpy as np
 from numpy.testing import assert_allclose
@@ -210,33 +214,50 @@ def test_an_operator_resumes_from_hold_and_retreat_but_not_from_abort():
 
 # -- standard messages ----------------------------------------------------------------------------
 
-def test_frames_as_tf_have_their_parents_and_quaternions_in_order_and_a_step(monkeypatch):
-    """tf2_msgs has no wheel: a stand-in here, and rosbags for the bytes of the real one."""
-    import sys
-    from types import ModuleType, SimpleNamespace
+def test_frames_are_what_rosbags_reads_and_ros_serialises():
+    """The message that is packed in one go, against a message object; rosbags knows tf2_msgs."""
+    from types import SimpleNamespace
+    from rclpy.serialization import deserialize_message, serialize_message
     from rosbags.typesys import get_typestore, Stores
-    from rvd_dynamics.diagram.ros.standard_codecs import Transforms
+    from rvd_dynamics.diagram.ros.standard_codecs import StillTransforms, Transforms
     from rvd_dynamics.recording.steps import step_reader
     from rvd_missions.docking import standard
-    package = ModuleType('tf2_msgs.msg')
-    package.TFMessage = SimpleNamespace
-    monkeypatch.setitem(sys.modules, 'tf2_msgs', ModuleType('tf2_msgs'))
-    monkeypatch.setitem(sys.modules, 'tf2_msgs.msg', package)
+    from tf2_msgs.msg import TFMessage
     flown = scenario(1.0, 'steering: profile')
-    run, camera = flown.run, flown.part('camera')
+    run, store, kind = flown.run, get_typestore(Stores.ROS2_JAZZY), 'tf2_msgs/msg/TFMessage'
     q = attitude.from_rotation_vector(np.array([0.1, 0.2, 0.3]))
     craft = SimpleNamespace(position=np.array([-6.0, 0.2, -0.1]), attitude=q,
                             target_attitude=np.array([0.0, 0.0, 0.0, 1.0]))
-    place, turn = standard.transforms(craft, craft, camera)
-    codec = Transforms(standard.TF, run, standard.frames(run))
-    made = codec.encode(250, standard.TF(place=place, turn=turn)).transforms
-    assert [(t.header.frame_id, t.child_frame_id) for t in made] == list(standard.frames(run))
-    assert (made[1].transform.rotation.w, made[1].transform.rotation.x) == (q[3], q[0])
-    assert made[1].transform.translation.x == -6.0 and made[3].transform.translation.x == 0.9
-    store = get_typestore(Stores.ROS2_JAZZY)
-    message = standard._message(store, standard.frames(run), place, turn, 250*run.step_ns)
-    data = bytes(store.serialize_cdr(message, 'tf2_msgs/msg/TFMessage'))
-    assert step_reader('tf2_msgs/msg/TFMessage', run.step_ns)(data) == 250
+    unknown = SimpleNamespace(position=craft.position, attitude=np.full(4, np.nan))
+    still = StillTransforms(standard.TF_STATIC, run, standard.still_frames())
+    moving = Transforms(standard.TF, run, standard.frames(run))
+    for codec, value, names in (
+            (moving, standard.moving(craft, craft), standard.frames(run)),
+            (moving, standard.moving(craft, unknown), standard.frames(run)[:2]),
+            (still, standard.still(flown.part('camera'), ()), standard.still_frames())):
+        data = codec.encode(250, value)
+        again = serialize_message(deserialize_message(data, TFMessage))
+        assert len(data) == len(again)
+        made = store.deserialize_cdr(data, kind).transforms
+        assert [(t.header.frame_id, t.child_frame_id) for t in made] == list(names)
+        assert str(made) == str(store.deserialize_cdr(again, kind).transforms)
+        for t, place, turn in zip(made, value.place, value.turn):
+            r, v = t.transform.rotation, t.transform.translation
+            assert [v.x, v.y, v.z, r.x, r.y, r.z, r.w] == [*place, *turn]
+            assert (t.header.stamp.sec, t.header.stamp.nanosec) == divmod(250*run.step_ns, 10**9)
+        assert step_reader(kind, run.step_ns)(data) == 250
+
+
+def test_the_message_of_frames_is_the_one_of_ros():
+    """The hash is that in the header that an installed ROS 2 has: only then do readers match."""
+    from tf2_msgs.msg import TFMessage
+    assert TFMessage.get_fields_and_field_types() == {
+        'transforms': 'sequence<geometry_msgs/TransformStamped>'}
+    prefixes = map(Path, os.environ['AMENT_PREFIX_PATH'].split(':'))
+    made = next(p for p in (prefix / 'share/tf2_msgs/msg/TFMessage.json' for prefix in prefixes)
+                if p.exists())
+    assert json.loads(made.read_text())['type_hashes'][0]['hash_string'] == \
+        'RIHS01_e369d0f05a23ae52508854b66f6aa0437f3449d652e8cbf22d5abe85d020f087'
 
 
 def test_the_twist_of_an_odometry_is_how_the_pose_changes_at_any_attitude():

@@ -9,7 +9,7 @@ from itertools import product
 import numpy as np
 
 from rvd_campaign import catalogue
-from rvd_campaign.bench import pace
+from rvd_campaign.bench import basilisk, pace
 from rvd_campaign.bench.laws import Goal
 from rvd_dynamics.diagram.in_process import fly
 from rvd_dynamics.diagram.scenario import load, Scenario
@@ -24,6 +24,9 @@ RUNS, RUN_S, CORES = 1000, 300.0, 2     # of the campaign that is estimated
 GOALS = {
     'plant': Goal('plant alone, sub-steps of 2.5 ms, times real time', low=1500),
     'plant_one': Goal('  one row at a time'),
+    'step_us': Goal('plant of two modes and two tanks, a row\'s step in a batch', 'us'),
+    'basilisk_us': Goal('  the same craft in Basilisk', 'us'),
+    'basilisk_ratio': Goal('  times as fast as Basilisk', low=10),
     'pinhole': Goal(f'closed loop, pinhole camera and PnP, batch of {BATCH}', low=100),
     'pinhole_one': Goal('  one run alone'),
     'simple': Goal(f'closed loop, simple camera, batch of {BATCH}', low=250),
@@ -40,7 +43,7 @@ GOALS = {
 def measure(quick: bool = False) -> dict[str, float]:
     """Return all figures by name; times of the processor but for plans and flights."""
     scenario = load(catalogue.find('scenarios', 'docking', ('.yaml',)))
-    made = _plant(scenario)
+    made = _plant(scenario) | _basilisk(quick)
     for camera in ('pinhole', 'simple'):
         made |= {camera: _rate(scenario, camera, 20 if quick else BATCH, 1.0 if quick else 5.0),
                  f'{camera}_one': _rate(scenario, camera, 1, 2.0 if quick else 20.0)}
@@ -70,6 +73,15 @@ def _plant(scenario: Scenario) -> dict[str, float]:
             took.append(time.process_time() - begun)
         made[name] = rows*PLANT_STEPS*step/min(took)
     return made
+
+
+def _basilisk(quick: bool) -> dict[str, float]:
+    """Return the race against Basilisk; nothing, and say why, where it cannot be had."""
+    try:
+        return basilisk.race(1 if quick else 3)
+    except basilisk.Unavailable as error:
+        print(f'not raced: {error}', flush=True)
+        return {}
 
 
 def _rate(scenario: Scenario, camera: str, rows: int, seconds: float) -> float:

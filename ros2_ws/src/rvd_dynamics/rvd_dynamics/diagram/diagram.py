@@ -186,6 +186,9 @@ class Diagram:
         if self.signals[name].parts != read.signal.parts:
             raise DiagramError(f'block {block.name} reads {name} with another layout than '
                                f'{writer.name} writes: a signal has one layout')
+        if self.signals[name].still:
+            raise DiagramError(f'block {block.name} reads {name}, which is still: it is published '
+                               'once, for viewers')
         if read.signal.truth and block.segment not in SEES_TRUTH:
             raise DiagramError(f'block {block.name} of segment {block.segment} reads {name}: truth '
                                'is for the world and the watchers alone')

@@ -118,7 +118,7 @@ class Roster:
         block = self.blocks.get(name)
         if block is None:
             return ()
-        found = [signal.name for signal in block.writes.values()]
+        found = [signal.name for signal in block.writes.values() if not signal.still]
         if isinstance(block, Leg) and block.status is not None:
             found.append(block.status.name)
         return (*found, '/clock') if name == self.diagram.plant else tuple(found)
@@ -134,8 +134,10 @@ class Roster:
         found = set(self.emits(name))
         if name == self.diagram.plant:
             found |= {'/run/end', '/run/scenario'}
-        if name in self.blocks and self.blocks[name].control:
-            found.add('/run/pause')
+        if name in self.blocks:
+            found |= {signal.name for signal in self.blocks[name].writes.values() if signal.still}
+            if self.blocks[name].control:
+                found.add('/run/pause')
         if name in self.watchers:
             found |= set(self.watchers[name].writes)
         if name in self.externals:

@@ -77,6 +77,9 @@ class Signal:
         it is emitted; negative for what is known late. Instants before the start count as 0.
     truth : bool
         The true state of the world, which only the world and the watchers may read.
+    still : bool
+        It never changes, and no block reads it: a graph publishes it once, for readers that come
+        late too.
     """
 
     name: str
@@ -85,6 +88,7 @@ class Signal:
     codec: str = 'rvd_dynamics.diagram.ros.codecs:Parts'
     ahead: int = 0
     truth: bool = False
+    still: bool = False
 
     def __post_init__(self) -> None:
         if not self.name.startswith('/'):

@@ -107,7 +107,7 @@ class _Flown:
             if isinstance(writer, Leg):
                 yield from self._link(writer)
             elif signal.message in SERIES:
-                yield name, self._encoded(signal, writer.period)
+                yield name, self._encoded(signal, self.end + 1 if signal.still else writer.period)
 
     def _encoded(self, signal: Signal, period: int) -> Series:
         """Return the series of the messages that a graph would have published."""

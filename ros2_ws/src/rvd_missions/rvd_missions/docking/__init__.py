@@ -60,6 +60,7 @@ MISSION = Mission(
         'steered': f'{HERE}.hand_settings:steered',
         'tape': f'{HERE}.ground:tape',
         'frames': f'{HERE}.standard:frames',
+        'still_frames': f'{HERE}.standard:still_frames',
         'craft_model': f'{HERE}.hand_prediction:craft_model',
         'cameras': f'{HERE}.stereo_signals:cameras',
         'marker_radii': f'{HERE}.stereo_signals:radii',

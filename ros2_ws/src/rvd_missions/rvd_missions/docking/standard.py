@@ -3,28 +3,19 @@ The mission in standard messages: odometry, inertial unit and frames, for RViz a
 
     /chaser/odometry, /chaser/odometry/estimate     nav_msgs/Odometry, true and believed
     /chaser/imu                                     sensor_msgs/Imu
-    /tf                                             tf2_msgs/TFMessage, where tf2_msgs is installed
+    /tf, /tf_static                                 tf2_msgs/TFMessage; the latter once, latched
 
 Frames   the run's frame (target_lvlh) -> target_base; -> chaser_base -> chaser_camera ->
          chaser_camera_optical; -> chaser_base_estimate. Body axes are those of the mission: x
          forward, y to the right, z down; the optical frame is that of REP 103: z forward, x to
-         the right, y down.
-
-    ./rvd shell python -m rvd_missions.docking.standard RUN
-
-writes RUN/transforms, a bag of /tf for a run that was flown where tf2_msgs is not installed.
+         the right, y down. The camera's are still.
 """
 
-from importlib.util import find_spec
-from pathlib import Path
-import sys
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rvd_dynamics.bad_input import BadInput
-from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.diagram.block import Block, now, WATCH
 from rvd_dynamics.diagram.params import param, settings
 from rvd_dynamics.diagram.run import Run
@@ -48,9 +39,11 @@ BELIEVED = Signal('/chaser/odometry/estimate', _motion, 'nav_msgs/msg/Odometry',
                   f'{CODECS}:EstimatedOdometry')
 IMU = Signal('/chaser/imu', (Part('rate', (3,), 'rad/s'), Part('force', (3,), 'm/s^2')),
              'sensor_msgs/msg/Imu', f'{CODECS}:Imu')
-FRAMES = 5
-TF = Signal('/tf', (Part('place', (FRAMES, 3), 'm'), Part('turn', (FRAMES, 4))),
+MOVING, STILL = 3, 2                            # frames
+TF = Signal('/tf', (Part('place', (MOVING, 3), 'm'), Part('turn', (MOVING, 4))),
             'tf2_msgs/msg/TFMessage', f'{CODECS}:Transforms')
+TF_STATIC = Signal('/tf_static', (Part('place', (STILL, 3), 'm'), Part('turn', (STILL, 4))),
+                   'tf2_msgs/msg/TFMessage', f'{CODECS}:StillTransforms', still=True)
 
 
 @settings
@@ -62,10 +55,14 @@ class StandardParams:
 
 
 def frames(run: Run) -> tuple[tuple[str, str], ...]:
-    """Return parent and child of each transform."""
+    """Return parent and child of each transform of /tf."""
     return ((run.frame_id, 'target_base'), (run.frame_id, 'chaser_base'),
-            (run.frame_id, 'chaser_base_estimate'), ('chaser_base', 'chaser_camera'),
-            ('chaser_camera', 'chaser_camera_optical'))
+            (run.frame_id, 'chaser_base_estimate'))
+
+
+def still_frames() -> tuple[tuple[str, str], ...]:
+    """Return parent and child of each transform of /tf_static."""
+    return (('chaser_base', 'chaser_camera'), ('chaser_camera', 'chaser_camera_optical'))
 
 
 def blocks(scenario: Scenario) -> tuple[Block, ...]:
@@ -74,31 +71,26 @@ def blocks(scenario: Scenario) -> tuple[Block, ...]:
     if not section.active:
         return ()
     period = whole_steps(f'{NAME}: period_s', section.period_s, scenario.run.step_s)
-    tf = {'tf': TF} if find_spec('tf2_msgs') else {}
     return (Block(NAME, f'{HERE}.standard:Standard', WATCH, package='rvd_missions', period=period,
                   reads={'truth': now(TRUTH), 'estimate': now(ESTIMATE), 'inertial': now(INERTIAL)},
-                  writes={'odometry': ODOMETRY, 'believed': BELIEVED, 'imu': IMU, **tf},
+                  writes={'odometry': ODOMETRY, 'believed': BELIEVED, 'imu': IMU, 'tf': TF,
+                          'tf_static': TF_STATIC},
                   settings=scenario.mission.sections[NAME]),)
 
 
 class Standard:
     """Says the same in standard messages."""
 
-    def __init__(self, orbit: OrbitParams, camera: CameraParams, batch: tuple, block: Block
-                 ) -> None:
-        self._n, self._camera, self._batch = orbit.mean_motion, camera, batch
-        self._tf = 'tf' in block.writes
+    def __init__(self, orbit: OrbitParams, camera: CameraParams, batch: tuple) -> None:
+        self._n = orbit.mean_motion
+        self._still = still(camera, batch)
 
     def step(self, k: int, truth: Any, estimate: Any, inertial: Any) -> dict[str, Any]:
         """Return the messages of step k."""
-        made = {'odometry': ODOMETRY(**motion(truth, self._n)),
+        return {'odometry': ODOMETRY(**motion(truth, self._n)),
                 'believed': BELIEVED(**motion(estimate, self._n)),
-                'imu': IMU(rate=inertial.rate, force=inertial.force)}
-        if self._tf:
-            place, turn = transforms(truth, estimate, self._camera)
-            made['tf'] = TF(place=np.broadcast_to(place, (*self._batch, FRAMES, 3)),
-                            turn=np.broadcast_to(turn, (*self._batch, FRAMES, 4)))
-        return made
+                'imu': IMU(rate=inertial.rate, force=inertial.force),
+                'tf': moving(truth, estimate), 'tf_static': self._still}
 
 
 def motion(of: Any, n: float) -> dict[str, NDArray]:
@@ -112,88 +104,17 @@ def motion(of: Any, n: float) -> dict[str, NDArray]:
             'angular': of.rate + n*attitude.matrix(of.attitude)[..., 1, :]}
 
 
-def transforms(truth: Any, estimate: Any, camera: CameraParams) -> tuple[NDArray, NDArray]:
-    """Return place (..., 5, 3) and rotation (..., 5, 4) of each of `frames` in its parent."""
-    still, zero = np.array([0.0, 0.0, 0.0, 1.0]), np.zeros(3)
-    shape = np.shape(truth.position)[:-1]
-
-    def stacked(parts: tuple, size: int) -> NDArray:
-        return np.stack([np.broadcast_to(part, (*shape, size)) for part in parts], axis=-2)
-    return (stacked((zero, truth.position, estimate.position, np.array(camera.place_m), zero), 3),
-            stacked((truth.target_attitude, truth.attitude, estimate.attitude, still, OPTICAL), 4))
+def moving(truth: Any, estimate: Any) -> Any:
+    """Return place and rotation of each of `frames` in its parent, as a value of TF."""
+    return TF(place=np.stack(np.broadcast_arrays(np.zeros(3), truth.position, estimate.position),
+                             axis=-2),
+              turn=np.stack(np.broadcast_arrays(truth.target_attitude, truth.attitude,
+                                                estimate.attitude), axis=-2))
 
 
-# -- a bag of transforms --------------------------------------------------------------------------
-
-def write(run: Path) -> Path:
-    """
-    Write the transforms of a recorded run beside its bag, every 0.1 s; return the new bag.
-
-    Raises
-    ------
-    BadInput
-        If the run has no bag of this mission, or there is one of transforms already.
-    """
-    from rosbags.rosbag2 import StoragePlugin, Writer
-    from rosbags.typesys import get_typestore, Stores
-
-    from rvd_dynamics.recording.reader import read
-    recorded = read(run)
-    if recorded.scenario is None or recorded.scenario.mission.name != 'docking':
-        raise BadInput(f'{run}: no recorded run of the mission docking')
-    out = run/'transforms'
-    if out.exists():
-        raise BadInput(f'{out} is there already: remove it first')
-    scenario, store = recorded.scenario, get_typestore(Stores.ROS2_JAZZY)
-    truth, believed = recorded.of(TRUTH), recorded.of(ESTIMATE)
-    names, camera = frames(scenario.run), scenario.part('camera')
-    every = whole_steps(f'{NAME}: period_s', scenario.settings(NAME).period_s, scenario.run.step_s)
-    kind = store.types['tf2_msgs/msg/TFMessage'].__msgtype__
-    with Writer(out, version=9, storage_plugin=StoragePlugin.MCAP) as writer:
-        connection = writer.add_connection('/tf', kind, typestore=store)
-        for i in range(0, min(len(truth.t), len(believed.t)), every):
-            row = _Row(truth, i), _Row(believed, i)
-            ns = int(truth.step[i])*scenario.run.step_ns
-            message = _message(store, names, *transforms(*row, camera), ns)
-            writer.write(connection, ns, store.serialize_cdr(message, kind))
-    return out
-
-
-class _Row:
-    """Row i of a recorded series, by attribute."""
-
-    def __init__(self, series: Any, i: int) -> None:
-        self._series, self._i = series, i
-
-    def __getattr__(self, name: str) -> NDArray:
-        return np.asarray(self._series[name][self._i])
-
-
-def _message(store: Any, names: tuple, places: NDArray, turns: NDArray, ns: int) -> Any:
-    """Return a TFMessage without the frames that are not known yet."""
-    t = store.types
-    header = {'stamp': t['builtin_interfaces/msg/Time'](*divmod(ns, NS_PER_S))}
-    return t['tf2_msgs/msg/TFMessage'](transforms=[
-        t['geometry_msgs/msg/TransformStamped'](
-            header=t['std_msgs/msg/Header'](**header, frame_id=parent), child_frame_id=child,
-            transform=t['geometry_msgs/msg/Transform'](
-                translation=t['geometry_msgs/msg/Vector3'](*map(float, place)),
-                rotation=t['geometry_msgs/msg/Quaternion'](*map(float, turn))))
-        for (parent, child), place, turn in zip(names, places, turns)
-        if np.isfinite(place).all() and np.isfinite(turn).all()])
-
-
-def main(arguments: list[str]) -> int:
-    """Write the transforms of the run that is named; return the exit code."""
-    try:
-        if len(arguments) != 1:
-            raise BadInput('usage: python -m rvd_missions.docking.standard RUN')
-        print(write(Path(arguments[0])))
-    except BadInput as error:
-        print(f'standard: {error}', file=sys.stderr)
-        return 2
-    return 0
-
-
-if __name__ == '__main__':
-    sys.exit(main(sys.argv[1:]))
+def still(camera: CameraParams, batch: tuple) -> Any:
+    """Return place and rotation of each of `still_frames`, as a value of TF_STATIC."""
+    place = np.array([camera.place_m, np.zeros(3)], dtype=float)
+    turn = np.array([[0.0, 0.0, 0.0, 1.0], OPTICAL])
+    return TF_STATIC(place=np.broadcast_to(place, (*batch, STILL, 3)),
+                     turn=np.broadcast_to(turn, (*batch, STILL, 4)))

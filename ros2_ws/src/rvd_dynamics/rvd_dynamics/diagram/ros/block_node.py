@@ -60,6 +60,8 @@ class BlockNode(FiringNode):
         self.before_publishing(k, outputs)
         publish = self.host.publish
         for name, (signal, codec, publisher) in self._outputs.items():
+            if signal.still and k:
+                continue
             try:
                 value = outputs[name]
                 made_of = codec.encode(k, value)

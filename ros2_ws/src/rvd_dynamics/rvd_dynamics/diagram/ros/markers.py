@@ -11,7 +11,7 @@ Publishes   /viz/corridor, /viz/control_boundary    visualization_msgs/MarkerArr
                                     with the ellipsoid of that prediction
             /viz/trail/estimate, /viz/trail/prediction      nav_msgs/Path
             /viz/truth, /viz/trail/truth                    only with `show_truth`
-            /tf_static              where tf2_msgs is installed
+            /tf_static              tf2_msgs/TFMessage: the frame that all is drawn in
 Parameters  the fields of MarkerParams
 
 All is in the target orbital frame. It looks at the newest message ten times a second of wall
@@ -27,6 +27,7 @@ from rclpy.publisher import Publisher
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from rclpy.serialization import deserialize_message
 from std_msgs.msg import ColorRGBA, Header
+from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import Marker, MarkerArray
 
 from rvd_dynamics.geometry import cone, surfaces
@@ -114,11 +115,7 @@ class Markers(RunNode):
             self._look_at(topic, Values)
 
     def _say_where(self) -> None:
-        """Make the frame known to tf2, where there is tf2; viewers do without."""
-        try:
-            from tf2_msgs.msg import TFMessage
-        except ImportError:
-            return
+        """Make the frame known to tf2: RViz warns without."""
         transform = TransformStamped(header=Header(frame_id=self.run.frame_id),
                                      child_frame_id='target')
         self.create_publisher(TFMessage, '/tf_static', qos.LATCHED).publish(

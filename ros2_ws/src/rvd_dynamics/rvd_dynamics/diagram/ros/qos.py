@@ -40,7 +40,7 @@ def of(topic: str, held: bool = False) -> QoSProfile:
         return EVENTS
     if topic in ('/run/recorded_step', '/run/verdict'):
         return RING
-    if topic.startswith('/run/'):
+    if topic.startswith('/run/') or topic == '/tf_static':
         return LATCHED
     return VIEW if topic.startswith('/viz/') else RING
 

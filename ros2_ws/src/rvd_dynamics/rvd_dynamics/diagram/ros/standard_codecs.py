@@ -9,10 +9,12 @@ its child frame, as nav_msgs/Odometry has it. Frames are named as REP 105 does: 
 from typing import Any
 
 from nav_msgs.msg import Odometry as OdometryMessage
+import numpy as np
+from numpy.typing import NDArray
 from sensor_msgs.msg import Imu as ImuMessage
+from tf2_msgs.msg import TFMessage
 
 from rvd_dynamics.diagram.ros.codecs import Codec
-from rvd_dynamics.diagram.ros.conversions import header_at
 from rvd_dynamics.diagram.ros.wire import Layout
 from rvd_dynamics.diagram.run import Run
 from rvd_dynamics.diagram.signal import Signal
@@ -59,19 +61,40 @@ class Imu(Codec):
 
 
 class Transforms(Codec):
-    """Frames, each in another, as `tf2_msgs/TFMessage`; only where tf2_msgs is installed."""
+    """
+    Frames, each in another, as `tf2_msgs/TFMessage`.
+
+    A frame that is not known yet (NaN) is left out: tf2 refuses it with an error each time.
+    """
 
     def __init__(self, signal: Signal, run: Run, frames: tuple) -> None:
         super().__init__(signal, run)
         self._frames = frames
+        self._layouts: dict[bytes, Layout] = {}     # by which frames are known
 
-    def encode(self, k: int, value: Any) -> Any:
-        """Return the message of a value: translation and rotation of each frame in its parent."""
-        from geometry_msgs.msg import Quaternion, Transform, TransformStamped, Vector3
-        from tf2_msgs.msg import TFMessage
-        return TFMessage(transforms=[
-            TransformStamped(
-                header=header_at(self.stamp_ns(k), parent), child_frame_id=child,
-                transform=Transform(translation=Vector3(**dict(zip('xyz', place.tolist()))),
-                                    rotation=Quaternion(**dict(zip('xyzw', turn.tolist())))))
-            for (parent, child), place, turn in zip(self._frames, value.place, value.turn)])
+    def encode(self, k: int, value: Any) -> bytes:
+        """Return the serialised message of a value: place and turn of each frame in its parent."""
+        rows = np.concatenate((value.place, value.turn), axis=-1)
+        known = np.isfinite(rows).all(axis=-1)
+        layout = self._layouts.get(known.tobytes())
+        if layout is None:
+            layout = self._layouts[known.tobytes()] = self._laid_out(known)
+        numbers = []
+        for row in rows[known].tolist():
+            numbers += (*self.stamp(k), *row)
+        return layout.pack(*numbers)
+
+    def _laid_out(self, known: NDArray[np.bool_]) -> Layout:
+        frames = [frame for frame, is_known in zip(self._frames, known) if is_known]
+        names = {}
+        for i, (parent, child) in enumerate(frames):
+            names[f'transforms[{i}].header.frame_id'] = parent
+            names[f'transforms[{i}].child_frame_id'] = child
+        return Layout(TFMessage, names, {'transforms': len(frames)})
+
+
+class StillTransforms(Transforms):
+    """The same, of frames that do not move in their parents."""
+
+    def __init__(self, signal: Signal, run: Run, still_frames: tuple) -> None:
+        super().__init__(signal, run, still_frames)
