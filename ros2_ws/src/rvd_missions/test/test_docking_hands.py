@@ -2,6 +2,8 @@
 Flying by hand: controllers, clicks and rates, the predictor, retreat and abort, whole flights.
 """
 
+from types import SimpleNamespace
+
 from hypothesis import given, settings, strategies as st
 import numpy as np
 from numpy.testing import assert_allclose
@@ -19,7 +21,9 @@ from rvd_dynamics.diagram.scenario import load, parse
 from rvd_dynamics.motion import attitude
 from rvd_groundstation.prediction.six_dof import (
     CraftModel, LoopModel, SixDofParams, SixDofPredictor)
+from rvd_missions.docking.columns import Columns
 from rvd_missions.docking.safety import ABORT, HOLD, NOMINAL, RETREAT, Safety, SafetyParams
+from rvd_missions.docking.scatter import PROPERTIES, Scatter
 
 N = 8.1478e-4                           # [rad/s]
 CRAFT = CraftModel(N, 1947.4e3, (LoopModel(12.0, 3.5, 0.3, 0.25), LoopModel(50.0, 3.0, 0.3, 0.25)),
@@ -303,18 +307,18 @@ def test_through_the_link_the_operator_sees_the_craft_as_it_will_be_and_can_abor
     assert not seen.valid[701:].any()       # what an ABORT does is not predicted
 
 
-def stays_away(place, v):
-    """Say whether a craft that coasts comes no nearer within an orbit: Clohessy-Wiltshire."""
+def coasting(place, v):
+    """Return how near a craft that coasts comes within an orbit, and how near it is [m]: CW."""
     x, y, z = place                         # z to the Moon: backwards, it falls below and passes by
     nt = N*np.arange(0.0, 7711.5, 10.0)
-    xs = x + v[0]/N*(4*np.sin(nt) - 3*nt) + 6*z*(np.sin(nt) - nt) + 2*v[2]/N*(1 - np.cos(nt))
+    xs = x + v[0]/N*(4*np.sin(nt) - 3*nt) + 6*z*(nt - np.sin(nt)) + 2*v[2]/N*(1 - np.cos(nt))
     ys = y*np.cos(nt) + v[1]/N*np.sin(nt)
     zs = (4 - 3*np.cos(nt))*z + v[2]/N*np.sin(nt) - 2*v[0]/N*(1 - np.cos(nt))
     away = np.sqrt(xs**2 + ys**2 + zs**2)
-    return away.min() >= 0.99*away[0]
+    return away.min(), away[0]
 
 
-def test_a_craft_that_comes_in_too_fast_aborts_and_stays_away():
+def test_a_craft_that_comes_in_too_fast_aborts_and_coasting():
     """J4 for 2 s, 240 N on 2000 kg; then it coasts, and in an orbit does not come back."""
     flown = fly(scenario(9.0, 'steering: profile', docking_controller='safety: {brake_m_s2: 1e-5}'),
                 range(1), record=[TRUTH, GUIDANCE])
@@ -327,7 +331,8 @@ def test_a_craft_that_comes_in_too_fast_aborts_and_stays_away():
     assert truth.thrust[begin + 220:, 0].max() < 1e-3
     v = truth.velocity[-1, 0]
     assert v[0] == pytest.approx(0.02 - 2.0*240.0/2000.0, abs=0.02)
-    assert stays_away(truth.position[-1, 0], v)
+    least, now = coasting(truth.position[-1, 0], v)
+    assert least >= 0.99*now
 
 
 def test_a_craft_too_far_aside_retreats_to_three_metres_with_its_brake_and_stays():
@@ -376,6 +381,7 @@ def test_a_pilot_who_goes_aside_near_the_port_is_taken_back_to_three_metres(tmp_
     assert brake[begin:begin + 100].max() > 0.8 and brake[:begin].max() == 0.0
     assert speed.min() == pytest.approx(-0.1, abs=0.02)
     assert 2.9 < distance[-1] < 3.1 and distance.max() < 3.1 and distance.min() > 0.2
+    assert np.isnan(flown.columns['coast_least_m'][0])
 
 
 def test_a_pilot_who_is_too_fast_near_the_port_is_aborted_in_time(tmp_path):
@@ -389,7 +395,30 @@ def test_a_pilot_who_is_too_fast_near_the_port_is_aborted_in_time(tmp_path):
     assert distance.min() > 0.08
     assert speed[-1] == pytest.approx(speed[begin] - 2.0*240.0/2000.0, abs=0.02)
     truth = flown.history[TRUTH]
-    assert stays_away(truth.position[-1, 0], truth.velocity[-1, 0])
+    least, now = coasting(truth.position[-1, 0], truth.velocity[-1, 0])
+    assert least >= 0.99*now
+    assert flown.columns['coast_least_m'][0] == pytest.approx(least, rel=1e-9)
+
+
+def test_a_craft_that_would_drift_back_is_told_from_one_that_would_not():
+    """Columns alone, of two aborted craft 4 m behind: one falls back, one drifts towards it."""
+    made = scenario(1.0, 'steering: profile')
+    run = made.run
+    columns = Columns(Scatter(), made.part('craft'), made.part('chaser'),
+                      PROPERTIES.of_runs(run.seed, range(2), 1), made.part('preparation'), run,
+                      made.part('orbit'), (2,))
+    place = np.array([[-4.0, 0.1, 0.2]]*2)
+    speed = np.array([[-0.2, 0.01, 0.0], [-3.0*N*0.2/2.0 + 0.0012, 0.001, 0.0005]])
+    still = np.zeros((2, 3))
+    known = SimpleNamespace(position=place, velocity=speed, rate=still,
+                            attitude=np.tile([0.0, 0.0, 0.0, 1.0], (2, 1)), nis=np.ones((2, 2)))
+    truth = SimpleNamespace(**vars(known), target_attitude=known.attitude,
+                            final=np.ones(2, dtype=bool))
+    columns.step(100, truth, known, SimpleNamespace(safety=np.full(2, ABORT, dtype=np.uint8)))
+    found = columns.table(None, np.array([100, 100]))['coast_least_m']
+    expected = [coasting(*of)[0] for of in zip(place, speed)]
+    assert found == pytest.approx(expected, rel=1e-3)
+    assert found[0] == pytest.approx(np.linalg.norm(place[0])) and found[1] < 3.0
 
 
 def stuck(number, at, seconds, start, nominal, fast, dock):
