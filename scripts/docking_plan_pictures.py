@@ -1,7 +1,7 @@
 """
 Make the table and pictures of plans and images of docs/missions/docking.md again.
 
-    ./rvd campaign docking_planners --runs 40 --out runs/planners
+    ./rvd campaign docking_planners --out runs/planners
     ./rvd fly docking_images --processes one --pace lockstep --out runs/images
     ./rvd shell python scripts/docking_plan_pictures.py runs/planners runs/images
 """

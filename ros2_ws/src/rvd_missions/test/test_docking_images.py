@@ -3,12 +3,13 @@ The pair of cameras: rendered discs, their blobs, names, and the pose from both 
 """
 
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 from numpy.testing import assert_allclose
 import pytest
 
-from rvd_dynamics.diagram.in_process import fly
+from rvd_dynamics.diagram.in_process import fly, judge_of
 from rvd_dynamics.diagram.scenario import load
 from rvd_dynamics.geometry.markers import RenderingParams
 from rvd_dynamics.geometry.pinhole import CameraParams
@@ -54,6 +55,28 @@ def test_the_centroid_of_a_rendered_disc_is_where_the_pinhole_projects_its_centr
     found = blobs(LOOK, image)
     for pixel in view(CAMERA, offset, turn)[:6]:
         assert np.nanmin(np.hypot(*(found[:, :2] - pixel).T)) < 0.08
+
+
+def test_a_disc_hides_what_is_behind_it():
+    """On the axis the small front marker is behind the big one; half aside, both make one area."""
+    look = RenderingParams(noise=0.0, blur_px=0.01)
+    straight = np.array([0.0, 0.0, 0.0, 1.0])
+
+    def image(aside, points, radii):
+        return render(CAMERA, look, np.array(points), radii, markers.FACING,
+                      np.array([-2.0, aside, 0.0]), straight, 0.0*NOISE)
+    near, far = [-0.15, 0.0, 0.0], [-0.0375, 0.0, 0.0]
+    assert np.array_equal(image(0.0, [far, near], [0.005, 0.01]), image(0.0, [near], [0.01]))
+    alone = [image(0.1, [near], [0.01]), image(0.1, [far], [0.01])]
+    both = image(0.1, [far, near], [0.01, 0.01])                # 13 mm apart, as they look
+    assert both.max() == 200 and np.all(both >= np.maximum(*alone))
+    assert np.array_equal(both, image(0.1, [near, far], [0.01, 0.01]))
+    # two circles of radii a, b with centres d apart share this much
+    a, b, d = 12.0/0.95, 12.0/1.0625, 120.0/0.95 - 120.0/1.0625
+    shared = (a*a*np.arccos((d*d + a*a - b*b)/(2*d*a)) + b*b*np.arccos((d*d + b*b - a*a)/(2*d*b))
+              - 0.5*np.sqrt((a + b - d)*(d + a - b)*(d - a + b)*(d + a + b)))
+    seen = (both.astype(float).sum() - 20.0*both.size)/180.0
+    assert seen == pytest.approx(np.pi*(a*a + b*b) - shared, rel=0.005)
 
 
 def test_an_image_without_markers_has_no_blobs():
@@ -136,3 +159,35 @@ def test_images_in_the_loop_from_near_the_port_keep_it_hovering():
     flown = fly(made, range(1))
     assert flown.verdict.success.all(), (flown.verdict.reason, flown.verdict.values)
     assert flown.columns['nav_error_m'][0] < 1e-3 and flown.columns['safety_state'][0] == 0
+
+
+# -- the judge ------------------------------------------------------------------------------------
+
+def lost(camera, places, **settings):
+    """Return the time that the judge counts as blind over views from places (..., 3) of a craft."""
+    made = load(ROOT / 'scenarios' / 'docking.yaml').with_values(
+        '/**', seeing__camera=camera, **settings)
+    judge, straight = judge_of(made), np.array([0.0, 0.0, 0.0, 1.0])
+    for k, place in enumerate(places):
+        judge.follow(10*k, SimpleNamespace(
+            position=np.array(place), velocity=np.zeros(3), attitude=straight,
+            target_attitude=straight, propellant=0.0, pulses=0.0))
+    return float(judge.verdict().values['fov_lost_s'])
+
+
+@pytest.mark.parametrize('camera, expected', [
+    ('pinhole', 0.0), ('simple', 0.0), ('stereo', 0.1), ('rendered', 0.1)])
+def test_the_judge_looks_through_the_cameras_that_there_are(camera, expected):
+    """0.8 m apart they look past the port from 10 cm, where one between them sees it."""
+    way = np.linspace([-6.0, 0.0, 0.0], [-3.1, 0.0, 0.0], 30)[:-1]
+    wide = lost(camera, [*way, [-3.1, 0.0, 0.0]], stereo__baseline_m=0.8)
+    assert wide == pytest.approx(expected)
+    assert lost(camera, [*way, [-3.1, 0.0, 0.0]], stereo__baseline_m=0.3) == 0.0
+
+
+def test_markers_of_the_set_that_does_not_count_do_not_count_for_the_judge():
+    """0.6 m aside two big and two small ones are in view; 0.75 m away only the big ones count."""
+    near, aside = [-3.55, 0.0, 0.0], [-3.75, 0.6, 0.0]
+    assert lost('pinhole', [aside]) == pytest.approx(0.1)
+    assert lost('pinhole', [near, aside]) == 0.0                # they still did when it came
+    assert lost('pinhole', [near, aside, aside]) == pytest.approx(0.1)

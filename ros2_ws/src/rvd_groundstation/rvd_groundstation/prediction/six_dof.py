@@ -62,6 +62,7 @@ class CraftModel(NamedTuple):
     loops: tuple[LoopModel, LoopModel]  # position, attitude
     farthest_m: float                   # [m] x of the craft's centre where a retreat ends
     back_m_s: float                     # [m/s] speed of a retreat
+    back_slows_m_s2: float              # [m/s^2] by which it slows down before its end
 
 
 class Known(NamedTuple):
@@ -82,7 +83,8 @@ class SixDofPredictor:
         self._model = np.array([
             legs.step_s, craft.mean_motion, craft.radius_m, params.mass_kg, *params.inertia_kg_m2,
             params.force_n, params.torque_n_m, *craft.loops[0], *craft.loops[1], params.brake_n,
-            craft.farthest_m, craft.back_m_s, np.radians(hand.rate_deg_s)])
+            craft.farthest_m, craft.back_m_s, craft.back_slows_m_s2,
+            np.radians(hand.rate_deg_s)])
         assert len(self._model) == machine.MODEL
         self._loop, self._bridge = legs.loop, round(params.bridge_s/legs.step_s)
         self._hands = Hands(hand, legs.step_s, rows)

@@ -9,10 +9,11 @@ from rvd_dynamics.compiled import compiled
 # Positions in a row of telemetry.
 R, V, Q, W, PLACE, TURN, SAFETY = 0, 3, 6, 10, 13, 16, 20
 # Positions in the model: dt, n, orbit radius, mass, three moments of inertia, force, torque, then
-# gain, derivative time, least input and middle of the trigger of both loops, brake, way back.
-DT, N, RADIUS, MASS, INERTIA, FORCE, TORQUE, LOOPS, BRAKE, FARTHEST, BACK, SLEW = (
-    0, 1, 2, 3, 4, 7, 8, 9, 17, 18, 19, 20)
-MODEL = 21
+# gain, derivative time, least input and middle of the trigger of both loops, brake, way back: its
+# end, speed and deceleration, then the rate at which the attitude goes back.
+DT, N, RADIUS, MASS, INERTIA, FORCE, TORQUE, LOOPS, BRAKE, FARTHEST, BACK, SLOWS, SLEW = (
+    0, 1, 2, 3, 4, 7, 8, 9, 17, 18, 19, 20, 21)
+MODEL = 22
 HOLD, RETREAT = 1, 2
 
 
@@ -99,7 +100,8 @@ def predict(rows, begin, push, speed, spin, drifts, resume, model, out):
                 about = (spin[j, i, 0], spin[j, i, 1], spin[j, i, 2])
             else:
                 if state == RETREAT and place[0] > model[FARTHEST]:
-                    go = (-model[BACK], 0.0, 0.0)
+                    left = place[0] - model[FARTHEST]
+                    go = (-min(model[BACK], sqrt(2.0*model[SLOWS]*left), left/dt), 0.0, 0.0)
                 lean = vector_of(turn)
                 size = sqrt(lean[0]*lean[0] + lean[1]*lean[1] + lean[2]*lean[2])
                 home = -min(model[SLEW]/max(size, 1e-12), 1.0)

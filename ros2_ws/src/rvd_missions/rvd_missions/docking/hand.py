@@ -22,12 +22,10 @@ from rvd_dynamics.motion import attitude
 from rvd_missions.docking import markers
 from rvd_missions.docking.commands import ValveForm
 from rvd_missions.docking.hand_signals import DOWNLINK, STEERING
-from rvd_missions.docking.onboard import BACK_M, BACK_M_S, Controller, ControllerParams
+from rvd_missions.docking.onboard import backing, Controller, ControllerParams
 from rvd_missions.docking.safety import ABORT, HOLD, NOMINAL, RETREAT
 from rvd_missions.docking.settings import Aim, OrbitParams
 from rvd_missions.docking.signals import GUIDANCE, WANTED
-
-FARTHEST = markers.TARGET_PORT[0] - markers.CHASER_PORT[0] - BACK_M     # [m] where a retreat ends
 
 
 class HandController(Controller):
@@ -108,8 +106,8 @@ class HandController(Controller):
         drifts = wish.drifts & ~stopped[:, None]
         self._place = np.where((new | drifts[:, 0])[:, None], r, self._place)
         self._turn = np.where((fresh | drifts[:, 1])[:, None], q, self._turn)
-        going = (state == RETREAT) & (self._place[:, 0] > FARTHEST)
-        back = np.where(going[:, None], np.array([-BACK_M_S, 0.0, 0.0]), 0.0)
+        going = np.where(state == RETREAT, backing(self._place[:, 0], dt), 0.0)
+        back = going[:, None]*np.array([-1.0, 0.0, 0.0])
         speed = np.where(stopped[:, None], back, attitude.rotate(q, wish.speed))
         lean = attitude.rotation_vector(self._turn)
         size = np.sqrt((lean*lean).sum(axis=-1, keepdims=True))

@@ -14,8 +14,7 @@ from rvd_dynamics.diagram.run import Legs
 from rvd_dynamics.diagram.scenario import Scenario
 from rvd_groundstation.prediction.six_dof import (
     CraftModel, LoopModel, SixDofParams, SixDofPredictor, TELEMETRY)
-from rvd_missions.docking.hand import FARTHEST
-from rvd_missions.docking.onboard import BACK_M_S
+from rvd_missions.docking.onboard import BACK_M_S, BACK_SLOWS_M_S2, FARTHEST
 from rvd_missions.docking.settings import OrbitParams
 
 POSE = (('position', slice(0, 3)), ('velocity', slice(3, 6)), ('attitude', slice(6, 10)),
@@ -29,7 +28,8 @@ def craft_model(scenario: Scenario, orbit: OrbitParams) -> CraftModel:
         loop.gain, loop.derivative_s, loop.modulator.on_threshold,
         0.5*(loop.modulator.on_threshold + loop.modulator.off_threshold))
         for loop in (controller.position, controller.attitude))
-    return CraftModel(orbit.mean_motion, orbit.radius_m, loops, FARTHEST, BACK_M_S)
+    return CraftModel(orbit.mean_motion, orbit.radius_m, loops, FARTHEST, BACK_M_S,
+                      BACK_SLOWS_M_S2)
 
 
 class HandPredictor:

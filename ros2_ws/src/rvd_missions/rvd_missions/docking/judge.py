@@ -10,11 +10,14 @@ from numpy.typing import NDArray
 
 from rvd_dynamics.diagram.judge import Measure, Verdict
 from rvd_dynamics.diagram.run import Run
+from rvd_dynamics.diagram.scenario import Scenario
 from rvd_dynamics.geometry.pinhole import CameraParams, USABLE
 from rvd_dynamics.motion import attitude
+from rvd_dynamics.onboard.navigation.vision import (
+    BIG as BIG_SET, handed_over, SMALL as SMALL_SET)
 from rvd_dynamics.world.sensors.camera import features, ImageParams
 from rvd_missions.docking import markers, scatter as scattering
-from rvd_missions.docking.settings import Aim, Chaser, ended, faces, Limits
+from rvd_missions.docking.settings import Aim, Chaser, ended, faces, Limits, Seeing
 from rvd_missions.docking.space import relative
 
 
@@ -25,11 +28,12 @@ class Judge:
         'hovering': 'hovering before the port',
         'strayed': 'left the band before the port',
         'touched': 'the docking faces touched',
-        'blind': 'fewer than four markers were in view',
+        'blind': 'fewer than four markers that count were in view',
         'invalid': 'the true state became invalid',
     }
 
     def __init__(self, run: Run, aim: Aim, limits: Limits, chaser: Chaser, camera: CameraParams,
+                 cameras: tuple[CameraParams, ...], seeing: Seeing, scenario: Scenario,
                  scatter: scattering.Scatter, craft: Any, period: int, batch: tuple = (),
                  runs: Sequence[int] | None = None) -> None:
         low, high = aim.distance_m - limits.band_m, aim.distance_m + limits.band_m
@@ -53,7 +57,9 @@ class Judge:
         self._run, self._limits, self._period = run, limits, period
         self._from = int(np.ceil(limits.from_s/run.step_s - 1e-9))
         self._nominal = round(aim.nominal_s/run.step_s)
-        self._camera = camera
+        self._cameras = cameras if seeing.camera in ('stereo', 'rendered') else (camera,)
+        self._vision = scenario.settings('vision')
+        self._mode = np.zeros(batch, dtype=np.int64)            # the markers that count
         self._centre = scattering.centre(scatter, craft, chaser, run, runs, batch)
         self._points = markers.TARGET_PORT + np.concatenate([markers.BIG, markers.SMALL])
         self._live = np.ones(batch, dtype=bool)
@@ -81,7 +87,7 @@ class Judge:
         if k > self._from:
             self._hover(live, port, distance, turn)
         if k % self._period == 0:
-            self._look(live, truth)
+            self._look(live, truth, distance)
         over = live & ended(k, port, self._run.last_step)
         if np.count_nonzero(over):
             self._reason = np.where(over, self._why(port), self._reason)
@@ -99,12 +105,22 @@ class Judge:
             setattr(self, name, np.where(live, np.fmax(getattr(self, name), value),
                                          getattr(self, name)))
 
-    def _look(self, live: NDArray, truth: Any) -> None:
-        """Count the time in which too few markers are in view, looked at once a view."""
+    def _look(self, live: NDArray, truth: Any, distance: NDArray) -> None:
+        """
+        Count the time in which no camera has enough of the markers that count for a pose.
+
+        Looked at once a view, from the true place, without noise and drop-outs.
+        """
         offset, turn = relative(truth, self._centre)
-        pixels = features(self._camera, ImageParams(corner_sigma_px=0.0), self._points,
-                          markers.FACING, offset, turn, 0.0, np.ones(turn.shape[:-1]))
-        few = np.isfinite(pixels[..., 0]).sum(axis=-1) < USABLE
+        counted = np.stack([self._mode != SMALL_SET]*len(markers.BIG)
+                           + [self._mode != BIG_SET]*len(markers.SMALL), axis=-1)
+        most = np.zeros(self._mode.shape, dtype=np.int64)
+        for camera in self._cameras:
+            pixels = features(camera, ImageParams(corner_sigma_px=0.0), self._points,
+                              markers.FACING, offset, turn, 0.0, np.ones(turn.shape[:-1]))
+            most = np.maximum(most, (np.isfinite(pixels[..., 0]) & counted).sum(axis=-1))
+        few = most < USABLE
+        self._mode = handed_over(self._vision, self._mode, np.where(few, np.nan, distance))
         self._blind = self._blind + np.where(live & few, self._period*self._run.step_s, 0.0)
 
     def _why(self, port: NDArray) -> NDArray:

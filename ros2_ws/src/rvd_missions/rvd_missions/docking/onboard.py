@@ -33,7 +33,16 @@ AUTHORITY = np.array([40.0, 40.0, 40.0, 16.0, 16.0, 16.0])     # [N, N m] of J2 
 STRUCTURE = (0.25, 0.35, 2*np.pi*0.25)          # [rad/s] tanks and panels as they are known
 LOOP_DELAY_S = 0.045                            # delay, lag, half the least on-time
 WIDEST = (0.04, np.radians(0.35))               # dead bands that the limits allow [m], [rad]
-BACK_M, BACK_M_S = 3.0, 0.1                     # where a retreat ends, and how fast it goes
+# x of the centre where a retreat ends, its faces 3 m apart [m]; how fast it goes [m/s]; and how it
+# slows down [m/s^2]: half of what J2, which alone pushes ahead, gives the nominal craft
+FARTHEST = markers.TARGET_PORT[0] - markers.CHASER_PORT[0] - 3.0
+BACK_M_S, BACK_SLOWS_M_S2 = 0.1, 0.01
+
+
+def backing(x: NDArray, step_s: float) -> NDArray:
+    """Return the speed (N,) of a retreat whose reference is at `x` (N,) [m], backwards [m/s]."""
+    left = np.maximum(x - FARTHEST, 0.0)
+    return np.minimum(np.minimum(BACK_M_S, np.sqrt(2.0*BACK_SLOWS_M_S2*left)), left/step_s)
 
 
 class Vision:
@@ -181,12 +190,11 @@ class Controller:
         if stopped.any():
             self._held = np.where((stopped & np.isnan(self._held[:, 0]))[:, None], r, self._held)
             back = state == RETREAT
-            farthest = markers.TARGET_PORT[0] - markers.CHASER_PORT[0] - BACK_M
-            going = back & (self._held[:, 0] > farthest)
-            self._held[:, 0] -= np.where(going, BACK_M_S*self._run.step_s, 0.0)
+            going = np.where(back, backing(self._held[:, 0], self._run.step_s), 0.0)
+            self._held[:, 0] -= going*self._run.step_s
             wanted = np.where(stopped[:, None], self._held, wanted)
             speed = np.where(stopped[:, None], 0.0, speed)
-            speed[:, 0] -= np.where(going, BACK_M_S, 0.0)
+            speed[:, 0] -= going
         return wanted, speed
 
     def _guided(self, t: float, r: NDArray) -> tuple[NDArray, NDArray]:

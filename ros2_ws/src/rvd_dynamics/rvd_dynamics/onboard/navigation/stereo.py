@@ -102,8 +102,7 @@ class StereoVision(Vision):
                                   self._settings.assumed_sigma_px)
             if pose is not None:
                 found.place[at], found.turn[at], found.covariance[at], _ = pose
-                self.mode[at] = self._handed_over(int(self.mode[at]), found.place[at])
-        return found
+        return self._handed_over(found)
 
 
 class ImageVision(StereoVision):
@@ -136,9 +135,8 @@ class ImageVision(StereoVision):
                 if pose is not None and pose[3] < WORST_PX:
                     found.place[at], found.turn[at], found.covariance[at], _ = pose
                     self._place[at], self._turn[at] = pose[:2]
-                    self.mode[at] = self._handed_over(int(self.mode[at]), found.place[at])
                     break
-        return found
+        return self._handed_over(found)
 
     def _named(self, at: tuple, blobs: Array, mine: NDArray, shifted: bool) -> Array:
         """Return the pixels (C, M, 2) of the markers of this mode; NaN where no blob fits."""

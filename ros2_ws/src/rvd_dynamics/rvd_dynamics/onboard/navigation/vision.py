@@ -93,21 +93,22 @@ class Vision:
                          self._settings.assumed_sigma_px)
             if pose is not None:
                 found.place[at], found.turn[at], found.covariance[at] = pose
-                self.mode[at] = self._handed_over(int(self.mode[at]), found.place[at])
+        return self._handed_over(found)
+
+    def _handed_over(self, found: Pose) -> Pose:
+        """Choose the sets of markers for the next frame, where a pose was found; return those."""
+        away = found.place[..., 0] - self._camera.place_m[0] - self._face       # NaN: none found
+        self.mode = handed_over(self._settings, self.mode, away)
         return found
 
-    def _handed_over(self, mode: int, place: Array) -> int:
-        """Return the set of markers for the next frame, after the port was seen at `place`."""
-        s = self._settings
-        away = place[0] - self._camera.place_m[0] - self._face
-        if mode == BIG and away < s.both_below_m or (
-                mode == SMALL and away > s.small_below_m + s.hysteresis_m):
-            return BOTH
-        if mode == BOTH and away > s.both_below_m + s.hysteresis_m:
-            return BIG
-        if mode == BOTH and away < s.small_below_m:
-            return SMALL
-        return mode
+
+def handed_over(settings: VisionParams, mode: ArrayLike, away: ArrayLike) -> NDArray[np.int64]:
+    """Return the sets that count next, of those of now and distances [m]; NaN: the same."""
+    s, mode, away = settings, np.asarray(mode), np.asarray(away)
+    both, small, more = s.both_below_m, s.small_below_m, s.hysteresis_m
+    enters = (mode == BIG) & (away < both) | (mode == SMALL) & (away > small + more)
+    leaves = np.where(away > both + more, BIG, np.where(away < small, SMALL, BOTH))
+    return np.where(enters, BOTH, np.where(mode == BOTH, leaves, mode))
 
 
 def solve(camera: CameraParams, points: Array, pixels: Array, sigma_px: float

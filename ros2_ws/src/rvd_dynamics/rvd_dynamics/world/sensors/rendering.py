@@ -3,10 +3,11 @@ Images of round markers as a camera takes them, and the blobs that the camera's 
 
 Image   grey levels of 8 bits, pixel (0, 0) at the centre of the upper left one. A marker is a disc
         on the target's face: each pixel is the mean of RAYS x RAYS rays that meet it or not, so
-        that perspective is exact; then the blur of the optics, noise, whole levels.
+        that perspective is exact, and one that a nearer disc stops goes no further; then the blur
+        of the optics, noise, whole levels.
 Blobs   connected pixels above a threshold; the centre is the centroid of what is brighter than the
         background, to a fraction of a pixel. Which marker a blob is nobody says.
-Valid   a dark target: no sun, no glare, no distortion; markers do not cover each other.
+Valid   a dark target: no sun, no glare, no distortion; nothing but markers covers markers.
 
 OpenCV is imported with the first image.
 """
@@ -51,16 +52,37 @@ def render(camera: CameraParams, look: RenderingParams, points: ArrayLike, radii
     centres = attitude.rotate_back(turn, np.asarray(points) - eye)[:, CAMERA_ORDER]
     normal = attitude.rotate_back(turn, np.asarray(facing, dtype=float))[CAMERA_ORDER]
     image = np.full((size, size), look.background, dtype=np.float32)
-    for centre, radius in zip(centres, radii):
-        if centre[2] > 0.0 and normal @ centre < 0.0:
-            _draw(cv2, image, camera, look, centre, normal, radius)
+    seen = [(centre, radius) for centre, radius in zip(centres, radii)
+            if centre[2] > 0.0 and normal @ centre < 0.0]
+    for centre, radius in seen:
+        nearer = [other for other in seen if _before(other, (centre, radius))]
+        _draw(cv2, image, camera, look, centre, normal, radius, nearer)
     cv2.scaleAdd(np.asarray(noise, dtype=np.float32), look.noise, image, image)
     return cv2.convertScaleAbs(np.maximum(image, 0.0, out=image))
 
 
+def _before(other: tuple[Array, float], disc: tuple[Array, float]) -> bool:
+    """Say whether another disc (centre in the camera's frame, radius) may cover some of a disc."""
+    (near, wide), (far, radius) = other, disc
+    apart = np.hypot(*(near[:2]/near[2] - far[:2]/far[2]))
+    return near[2] < far[2] and apart < 1.3*(wide/near[2] + radius/far[2])
+
+
+def _met(across: Array, down: Array, centre: Array, normal: Array, radius: float
+         ) -> NDArray[np.bool_]:
+    """Return which rays, by their slopes, meet a disc."""
+    along = (normal @ centre)/(normal[0]*across + normal[1]*down + normal[2])
+    away = (along*across - centre[0])**2 + (along*down - centre[1])**2 + (along - centre[2])**2
+    return away < radius*radius
+
+
 def _draw(cv2: Any, image: NDArray, camera: CameraParams, look: RenderingParams, centre: Array,
-          normal: Array, radius: float) -> None:
-    """Brighten the pixels of a disc whose centre and normal are in the camera's frame."""
+          normal: Array, radius: float, nearer: list[tuple[Array, float]]) -> None:
+    """
+    Brighten the pixels of a disc, but where one of those nearer covers it.
+
+    Centres and normal are in the camera's frame.
+    """
     f, c = camera.focal_px, 0.5*camera.width_px
     u, v = f*centre[:2]/centre[2] + c
     half = int(np.ceil(1.3*f*radius/centre[2] + 4.0*look.blur_px)) + 1
@@ -72,9 +94,10 @@ def _draw(cv2: Any, image: NDArray, camera: CameraParams, look: RenderingParams,
         return
     fine = (np.arange(count*RAYS) + 0.5)/RAYS - 0.5
     across, down = np.meshgrid((left + fine - c)/f, (top + fine - c)/f)
-    along = (normal @ centre)/(normal[0]*across + normal[1]*down + normal[2])
-    away = (along*across - centre[0])**2 + (along*down - centre[1])**2 + (along - centre[2])**2
-    met = (away < radius*radius).reshape(count, RAYS, count, RAYS)
+    met = _met(across, down, centre, normal, radius)
+    for other in nearer:
+        met &= ~_met(across, down, other[0], normal, other[1])
+    met = met.reshape(count, RAYS, count, RAYS)
     patch = met.mean(axis=(1, 3), dtype=np.float32)*np.float32(look.marker - look.background)
     patch = cv2.GaussianBlur(patch, (0, 0), look.blur_px)
     image[y0:y1, x0:x1] += patch[y0 - top:y1 - top, x0 - left:x1 - left]
