@@ -5,6 +5,7 @@ Make the pictures of the console in docs/images: a flight by keys, and its revie
     ./rvd shell scripts/console_pictures.py             # the lunar approach, flown by keys
     ./rvd shell scripts/console_pictures.py docking     # a mission that is watched
     ./rvd shell scripts/console_pictures.py tether
+    ./rvd shell scripts/console_pictures.py tether_delay    # ordered by the buttons GO and HOLD
 
 Needs playwright and Chromium, like the browser tests, whose scripted pilot flies here.
 """
@@ -35,7 +36,9 @@ def main(mission: str = '') -> None:
     """Fly and take the pictures."""
     images = ROOT / 'docs' / 'images'
     images.mkdir(exist_ok=True)
-    if mission:
+    if mission == 'tether_delay':
+        ordered(images)
+    elif mission:
         watched(mission, images)
     else:
         by_keys(images)
@@ -77,6 +80,33 @@ def watched(mission: str, images: Path) -> None:
             page.evaluate(SHARP)
             page.wait_for_timeout(2500)
             page.screenshot(path=images / f'{mission}-console-review.png')
+            browser.close()
+    finally:
+        console.close()
+
+
+def ordered(images: Path) -> None:
+    """Order GO, and HOLD when 62 m are shown: a moment after it, while the craft still flies."""
+    console = Console(Path(tempfile.mkdtemp()), 'tether_delay', '--mode', 'hold', '--pace', '1',
+                      '--seed', '1', '--processes', 'segments')
+    try:
+        with playwright()() as play:
+            browser = play.chromium.launch(executable_path=chromium(), args=FLAGS)
+            page = open_page(browser, console, look='fine')
+            page.set_viewport_size(TALL)
+            page.evaluate(FAST)
+            page.keyboard.press('t')
+            until(page, "rvd.store.status.lease === 'you'")
+            page.keyboard.press('n')
+            page.click('#new-start')
+            until(page, 'Boolean(rvd.store.measured)')
+            page.keyboard.press('f')
+            until(page, 'rvd.store.frame.signals.derived.parts.does?.[1] === 1', 120.0)   # it flies
+            until(page, "rvd.store.frame.signals['/ground/situation'].parts.range < 62", 120.0)
+            page.keyboard.press('h')
+            page.evaluate(SHARP)
+            page.wait_for_timeout(900)
+            page.screenshot(path=images / 'tether_delay-console.png')
             browser.close()
     finally:
         console.close()

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import pytest
-from console_page import web_sources
+from console_page import chromium, FLAGS, playwright, web_sources
 from runs import rvd
 
 
@@ -27,6 +27,21 @@ def rough_flight(tmp_path_factory) -> Flown:
     """Every fault of the link switched on, two-body truth left alone, in lock step."""
     return Flown(tmp_path_factory.mktemp('rough') / 'run', 'rough_link', '--pace', 'lockstep',
                  '--seed', '11', '--headless')
+
+
+@pytest.fixture(scope='module')
+def play():
+    """Playwright, while the tests of a file run: its loop must not be there in others."""
+    with playwright()() as made:
+        yield made
+
+
+@pytest.fixture(scope='module')
+def browser(play):
+    """A headless Chromium for the tests of a file."""
+    made = play.chromium.launch(executable_path=chromium(), args=FLAGS)
+    yield made
+    made.close()
 
 
 @pytest.fixture(scope='session')

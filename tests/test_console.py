@@ -6,8 +6,7 @@ import urllib.error
 import urllib.request
 
 import pytest
-from console_page import (
-    chromium, Console, FLAGS, fly_by_keys, open_page, playwright, serious, take_and_start, until)
+from console_page import Console, fly_by_keys, open_page, serious, take_and_start, until
 from runs import messages, rvd, verdict_of, wait_for
 
 pytestmark = pytest.mark.slow
@@ -21,14 +20,6 @@ PAD = """
   navigator.getGamepads = () => [pad];
 })();
 """
-
-
-@pytest.fixture(scope='module')
-def browser():
-    with playwright()() as play:
-        made = play.chromium.launch(executable_path=chromium(), args=FLAGS)
-        yield made
-        made.close()
 
 
 @pytest.fixture(autouse=True)

@@ -4,7 +4,7 @@ import json
 from pathlib import Path
 
 import pytest
-from console_page import chromium, FLAGS, open_page, playwright, until
+from console_page import open_page, until
 from toy_console import WaitingConsole
 
 pytestmark = pytest.mark.slow
@@ -28,14 +28,6 @@ def console():
     made = WaitingConsole()
     yield made
     made.close()
-
-
-@pytest.fixture(scope='module')
-def browser():
-    with playwright()() as play:
-        made = play.chromium.launch(executable_path=chromium(), args=FLAGS)
-        yield made
-        made.close()
 
 
 @pytest.fixture()

@@ -4,7 +4,7 @@ import json
 import re
 
 import pytest
-from console_page import chromium, FLAGS, open_page, playwright, until
+from console_page import chromium, FLAGS, open_page, until
 from toy_console import ToyConsole, WaitingConsole
 
 pytestmark = pytest.mark.slow
@@ -12,19 +12,6 @@ NO_WEBGL = ['--no-sandbox', '--disable-gpu', '--disable-webgl', '--disable-3d-ap
 FULL = """Storage.prototype.setItem = () => { throw new DOMException('full', 'QuotaExceededError'); }"""
 LOSE = """(() => { document.querySelector('#gl').getContext('webgl2')
     .getExtension('WEBGL_lose_context').loseContext(); })()"""
-
-
-@pytest.fixture(scope='module')
-def play():
-    with playwright()() as made:
-        yield made
-
-
-@pytest.fixture(scope='module')
-def browser(play):
-    made = play.chromium.launch(executable_path=chromium(), args=FLAGS)
-    yield made
-    made.close()
 
 
 @pytest.fixture()

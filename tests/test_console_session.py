@@ -3,7 +3,7 @@
 import json
 
 import pytest
-from console_page import chromium, Console, FLAGS, open_page, playwright, serious, until
+from console_page import Console, open_page, serious, until
 from runs import rvd
 
 pytestmark = pytest.mark.slow
@@ -44,36 +44,34 @@ def rate(page, look) -> None:
         page.keyboard.press('Enter')            # the first of the two has the focus
 
 
-def test_a_volunteer_is_led_through_a_session_and_the_report_counts_it(tmp_path, console_web):
+def test_a_volunteer_is_led_through_a_session_and_the_report_counts_it(
+        browser, tmp_path, console_web):
     (tmp_path / 'session.yaml').write_text(SESSION)
-    with playwright()() as play:
-        browser = play.chromium.launch(executable_path=chromium(), args=FLAGS)
-        console = Console(tmp_path, 'barrier', '--pace', '20', '--session', 'session.yaml',
-                          '--out', 'people')
-        try:
-            page = open_page(browser, console, look='plain', bypass_csp=True)     # for axe
+    console = Console(tmp_path, 'barrier', '--pace', '20', '--session', 'session.yaml',
+                      '--out', 'people')
+    try:
+        page = open_page(browser, console, look='plain', bypass_csp=True)     # for axe
 
-            def look():
-                assert serious(page, console_web) == []
-            page.keyboard.press('t')
-            page.wait_for_selector('#volunteer')
-            look()
-            page.fill('#volunteer', '7')
-            page.keyboard.press('Enter')
-            for flight in (1, 2):
-                heading = "document.querySelector('#dialog h3').textContent"
-                until(page, f"{heading}.includes('{flight} of 2')")
+        def look():
+            assert serious(page, console_web) == []
+        page.keyboard.press('t')
+        page.wait_for_selector('#volunteer')
+        look()
+        page.fill('#volunteer', '7')
+        page.keyboard.press('Enter')
+        for flight in (1, 2):
+            heading = "document.querySelector('#dialog h3').textContent"
+            until(page, f"{heading}.includes('{flight} of 2')")
+            page.click('#desk-go')
+            page.wait_for_selector('[data-answer=yes]', timeout=120_000)
+            rate(page, look)
+            if flight == 1:
+                until(page, "document.querySelector('#rest-left') !== null")
                 page.click('#desk-go')
-                page.wait_for_selector('[data-answer=yes]', timeout=120_000)
-                rate(page, look)
-                if flight == 1:
-                    until(page, "document.querySelector('#rest-left') !== null")
-                    page.click('#desk-go')
-            until(page, "document.querySelector('#dialog').textContent.includes('Thank you')")
-            assert page.problems == []
-        finally:
-            console.close()
-            browser.close()
+        until(page, "document.querySelector('#dialog').textContent.includes('Thank you')")
+        assert page.problems == []
+    finally:
+        console.close()
     ratings = sorted((tmp_path / 'people').glob('P07/*/ratings.json'))
     assert len(ratings) == 2
     made = [json.loads(file.read_text()) for file in ratings]

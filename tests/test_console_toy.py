@@ -5,7 +5,7 @@ import re
 from pathlib import Path
 
 import pytest
-from console_page import chromium, FLAGS, open_page, playwright, serious, until, WEB
+from console_page import open_page, serious, until, WEB
 from runs import ROOT
 from toy_console import (
     BACK_STEPS, command, place_at, PUSH, RAIL, telemetry, ToyConsole, ToyDisplay)
@@ -55,6 +55,12 @@ def test_and_its_frames_hold_what_it_shows_and_no_more():
     assert frame['round_trip'] == pytest.approx(1.6)    # 1.0 s and 0.5 s, and the step it acts in
 
 
+def test_a_mode_that_somebody_else_asked_for_is_shown_as_in_force():
+    feed = flown(1)
+    feed.event('MODE', 'mode manual')           # as the run says it
+    assert feed.frame()['mode'] == 'manual'
+
+
 def test_the_stick_of_one_axis_becomes_a_joy_and_a_command():
     toy = ToyDisplay()
     assert toy.joy((0.5, 0.0, 0.0, 0.0, 0.0, 0.0), True) == ([0.5], [1])
@@ -73,49 +79,46 @@ def test_page_and_server_know_no_mission(file: Path):
 
 
 @pytest.mark.slow
-def test_the_page_shows_the_toy(console_web):
-    with playwright()() as play:
-        browser = play.chromium.launch(executable_path=chromium(), args=FLAGS)
-        toy = ToyConsole()
-        try:
-            page = open_page(browser, toy, bypass_csp=True)     # for axe
-            until(page, 'Boolean(rvd.store.measured)')
-            page.wait_for_timeout(500)
-            for panel in ('camera', 'cut', 'strips', 'modes', 'views'):
-                assert not page.is_visible(f'#{panel}'), panel
-            assert not page.is_visible('#clock-pred')           # nothing is predicted
-            assert page.evaluate("rvd.scene.covers('cart')") > 20
-            assert page.evaluate("rvd.scene.covers('rail')") > 20
-            assert page.evaluate("rvd.store.history.trails.get('been').length") > 3
-            rows = page.query_selector_all('#instruments .row')
-            words = [row.inner_text().split() for row in rows]
-            assert [row[0] for row in words] == ['position', 'speed']
-            number = float(words[0][1].replace('−', '-'))
-            there = page.evaluate('rvd.store.measured.parts.x')
-            assert number == pytest.approx(there, abs=0.1)      # it has moved on since
-            assert words[1][-1] == '−400…400'
-            assert page.inner_text('#commands-title') == 'Force, N'
-            assert len(page.query_selector_all('#bars .bar')) == 1
-            assert page.inner_text('#scale') == '' and page.inner_text('#legend') == ''
+def test_the_page_shows_the_toy(browser, console_web):
+    toy = ToyConsole()
+    try:
+        page = open_page(browser, toy, bypass_csp=True)     # for axe
+        until(page, 'Boolean(rvd.store.measured)')
+        page.wait_for_timeout(500)
+        for panel in ('camera', 'cut', 'strips', 'modes', 'views'):
+            assert not page.is_visible(f'#{panel}'), panel
+        assert not page.is_visible('#clock-pred')           # nothing is predicted
+        assert page.evaluate("rvd.scene.covers('cart')") > 20
+        assert page.evaluate("rvd.scene.covers('rail')") > 20
+        assert page.evaluate("rvd.store.history.trails.get('been').length") > 3
+        rows = page.query_selector_all('#instruments .row')
+        words = [row.inner_text().split() for row in rows]
+        assert [row[0] for row in words] == ['position', 'speed']
+        number = float(words[0][1].replace('−', '-'))
+        there = page.evaluate('rvd.store.measured.parts.x')
+        assert number == pytest.approx(there, abs=0.1)      # it has moved on since
+        assert words[1][-1] == '−400…400'
+        assert page.inner_text('#commands-title') == 'Force, N'
+        assert len(page.query_selector_all('#bars .bar')) == 1
+        assert page.inner_text('#scale') == '' and page.inner_text('#legend') == ''
 
-            page.keyboard.press('?')
-            assert 'push right / left (x)' in page.inner_text('#dialog')
-            page.keyboard.press('Escape')
-            page.keyboard.press('t')
-            until(page, "rvd.store.status.lease === 'you'")
-            page.keyboard.down('d')
-            page.wait_for_timeout(300)
-            assert ([0.5], True) in toy.sticks
-            page.keyboard.up('d')
-            assert serious(page, console_web) == []
+        page.keyboard.press('?')
+        assert 'push right / left (x)' in page.inner_text('#dialog')
+        page.keyboard.press('Escape')
+        page.keyboard.press('t')
+        until(page, "rvd.store.status.lease === 'you'")
+        page.keyboard.down('d')
+        page.wait_for_timeout(300)
+        assert ([0.5], True) in toy.sticks
+        page.keyboard.up('d')
+        assert serious(page, console_web) == []
 
-            toy.finish()
-            until(page, "document.querySelector('#verdict-words') !== null")
-            dialog = page.inner_text('#dialog')
-            assert 'Arrived at the buffer' in dialog and '12.3 s' in dialog
-            assert re.search(r'speed at the buffer\s+0\.020 m/s\s+< 0\.1', dialog)
-            assert 'delay' not in dialog                        # it has no value
-            assert page.problems == []
-        finally:
-            toy.close()
-            browser.close()
+        toy.finish()
+        until(page, "document.querySelector('#verdict-words') !== null")
+        dialog = page.inner_text('#dialog')
+        assert 'Arrived at the buffer' in dialog and '12.3 s' in dialog
+        assert re.search(r'speed at the buffer\s+0\.020 m/s\s+< 0\.1', dialog)
+        assert 'delay' not in dialog                        # it has no value
+        assert page.problems == []
+    finally:
+        toy.close()

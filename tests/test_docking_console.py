@@ -5,7 +5,7 @@ from dataclasses import replace
 import re
 
 import pytest
-from console_page import chromium, Console, FLAGS, open_page, playwright, serious, until
+from console_page import Console, open_page, serious, until
 from toy_console import ToyConsole
 
 from rvd_dynamics.diagram.scenario import parse
@@ -25,14 +25,6 @@ PAD = '''
   navigator.getGamepads = () => [window.pad];
 })();
 '''
-
-
-@pytest.fixture(scope='module')
-def browser():
-    with playwright()() as play:
-        made = play.chromium.launch(executable_path=chromium(), args=FLAGS)
-        yield made
-        made.close()
 
 
 def field(page, key: str) -> str:

@@ -97,8 +97,8 @@ def _add_fly(commands: argparse._SubParsersAction) -> None:
     fly.add_argument('scenario', nargs='?', metavar='SCENARIO',
                      help='name from `rvd list scenarios`, or a file (default: paper; with '
                           '--operator console: hand)')
-    fly.add_argument('--mode', choices=('shared', 'manual', 'auto'),
-                     help='who decides (default: that of the scenario, else shared)')
+    fly.add_argument('--mode', help='who decides: shared, manual, auto, or a mode of the mission '
+                                    '(default: that of the scenario)')
     fly.add_argument('--processes', choices=('blocks', 'segments', 'one'),
                      help='how nodes share processes: each its own, one for each segment (space, '
                           'link, ground ...), or all in one, the fastest (default: the scenario, '

@@ -7,8 +7,8 @@ import pytest
 
 from rvd_dynamics.diagram.display import (
     as_data, Axis, Ball, Body, Box, Camera, Chart, Charts, CommandAxis, Commands, cone,
-    Controller, Cylinder, DERIVED, Display, Flat, Gauge, Instrument, Instruments, Line, Number,
-    Perspective, Reading, Ref, Revolved, Ring, Section, Sphere, Spot, Trail, TRUTH, walk)
+    Controller, Cylinder, DERIVED, Display, Flat, Gauge, Instrument, Instruments, Line, Mode,
+    Number, Perspective, Reading, Ref, Revolved, Ring, Section, Sphere, Spot, Trail, TRUTH, walk)
 
 BOX = Box((1.0, 2.0, 0.5))
 COMMANDS = Commands('Force', (CommandAxis('x', 2.0),), '/command')
@@ -48,6 +48,14 @@ def test_the_parts_that_are_shown_are_named_once_for_who_sends_them():
     parts = shown.parts()
     assert parts['/state'] == {'x'} and parts[DERIVED] == {'path'} and parts['/ahead'] == set()
     assert 'kind' in parts['/command']          # of the command the page shows who decided it
+
+
+def test_modes_are_those_of_a_pilot_by_name_or_the_missions_own():
+    go = Mode('go', 'GO', 'KeyF')
+    data = as_data(display(modes=('auto', go)))
+    assert [(mode['name'], mode['label'], mode['key']) for mode in data['modes']] == [
+        ('auto', 'Auto', ''), ('go', 'GO', 'KeyF')]
+    assert [mode['label'] for mode in as_data(display())['modes']] == ['Manual', 'Shared', 'Auto']
 
 
 def test_a_walk_meets_every_part():
@@ -92,6 +100,14 @@ def test_a_walk_meets_every_part():
     (lambda: Chart('c', (RATE, Number('/other', 'v'))), 'chart c: curves'),
     (lambda: Display(COMMANDS, ''), 'display.measured'),
     (lambda: display(modes=('manual', 'fast')), 'display.modes'),
+    (lambda: display(modes=(Mode('manual', 'By hand'), 'manual')), 'display.modes'),
+    (lambda: display(modes=(Mode('a', 'A', 'KeyH'), Mode('b', 'B', 'KeyH'))), 'share no key'),
+    (lambda: display(modes=(Mode('a', 'A', 'KeyW'),), controller=Controller(
+        (Axis('x', 'on', 'back', (('KeyW', 'KeyS'),)),))), 'display.modes'),
+    (lambda: display(modes=('auto',), on_board=Ref(TRUTH, 'mode')), 'display.on_board'),
+    (lambda: Mode('go now', 'GO'), 'mode.name'),
+    (lambda: Mode('go', 'GO', 'KeyG'), 'mode go: key'),
+    (lambda: Mode('go', ''), 'mode go: label'),
     (lambda: display(bodies=(Body('a', 'plain', (BOX,)),) * 2), 'names of their own, got a'),
     (lambda: display(views=(Perspective('Orbit', follow=('ghost',)),)), 'view Orbit: follow'),
     (lambda: display(camera=Camera('c', 'c', ('ghost',), (0.0, 0.0, 0.0))), 'camera.carried_by'),

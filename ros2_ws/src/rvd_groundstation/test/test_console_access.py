@@ -143,6 +143,16 @@ def test_requests_that_are_none_are_refused_by_name(text, why):
         request_of(text)
 
 
+def test_the_modes_that_may_be_asked_for_are_those_of_the_mission():
+    assert request_of('{"do": "mode", "mode": "hold"}', ['hold', 'go']).content['mode'] == 'hold'
+    assert flight_wish({'mode': 'go'}, ['hold', 'go']) == {'mode': 'go'}
+    for wrong in ('auto', ['hold'], None):
+        with pytest.raises(Refused, match='MODE'):
+            request_of(json.dumps({'do': 'mode', 'mode': wrong}), ['hold', 'go'])
+    with pytest.raises(Refused, match='MODE'):
+        flight_wish({'mode': 'auto'}, ['hold', 'go'])
+
+
 def test_a_wish_for_a_run_is_checked():
     assert flight_wish({'mode': 'auto', 'seed': 4, 'out': '/etc'}) == {'mode': 'auto', 'seed': 4}
     for seed in (-1, 1.5, True, '3', 1 << 40):

@@ -40,8 +40,9 @@ class ConsoleProcess:
                  scenario: Scenario) -> None:
         self.socket = folder / 'console'
         display = folder / 'display.json'       # for pages that open before the first run
-        display.write_text(json.dumps(as_data(display_of(scenario).display)),
-                           encoding='utf-8')
+        shown = display_of(scenario)
+        display.write_text(json.dumps({'display': as_data(shown.display),
+                                       'mode': shown.facts.mode}), encoding='utf-8')
         command = [sys.executable, '-m', 'rvd_groundstation.console.main', '--serve',
                    '--socket', str(self.socket), '--runs', str(runs), '--bind', args.bind,
                    '--display', str(display),

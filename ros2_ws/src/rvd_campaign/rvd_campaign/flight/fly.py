@@ -43,7 +43,9 @@ def chosen(args: argparse.Namespace) -> Scenario:
     shared: dict[str, object] = paced(args.pace, scenario)
     if args.processes:
         shared['processes'] = args.processes
-    for flag in ('mode', 'operator', 'tape'):
+    if args.mode and not scenario.has_shared('mode'):
+        raise CannotRun(f'--mode: mission {scenario.mission.name} has no modes')
+    for flag in ('operator', 'tape'):
         watched = flag == 'operator' and args.operator == 'console'     # which needs no operator
         if getattr(args, flag) and not watched and not scenario.has_shared('operator'):
             raise CannotRun(f'--{flag}: mission {scenario.mission.name} has no operator')

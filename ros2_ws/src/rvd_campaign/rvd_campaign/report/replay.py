@@ -142,6 +142,7 @@ class Replay:
                                    'parts': sample.parts}
 
     def _event(self, m: Any) -> None:
+        self._feed.event(m.code, m.text)
         self._events.append({'t': m.step * self._feed.facts.step_s, 'node': m.node,
                              'code': m.code, 'text': m.text})
 

@@ -7,6 +7,8 @@ In a graph it comes from the service `/run/control`; in one process from a sched
 from dataclasses import dataclass
 from typing import NamedTuple
 
+MODE_EVENT, MODE_WORDS = 'MODE', 'mode '   # code of the event of a new mode; before its name
+
 
 class Control(NamedTuple):
     """What is in force in a step; one block of a diagram gets it."""

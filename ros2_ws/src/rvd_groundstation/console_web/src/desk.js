@@ -1,6 +1,7 @@
 // The experiment desk: one dialog after the other leads a volunteer through a session.
 
 import { close, escape, open, refused, sentence } from './dialogs.js';
+import { label } from './modes.js';
 import { S, fill } from './strings.js';
 
 const D = S.desk;
@@ -9,7 +10,7 @@ const STEP = 5;
 export class Desk {
   constructor(link) {
     this.link = link;
-    this.task = { hint: '', goal: '' }; // the display's
+    this.task = { hint: '', goal: '', display: null }; // the display's
     this.state = null;
     this.mine = false;
   }
@@ -64,7 +65,7 @@ export class Desk {
 
   ready() {
     const words = this.state.training ? D.training : D.counts;
-    this.frame(this.heading(), `<p>${words}</p><p>${fill(D.condition, { mode: S[`mode_${this.state.mode}`] })}</p><p class="dim">${escape(this.task.hint)} ${D.clock}</p>`,
+    this.frame(this.heading(), `<p>${words}</p><p>${fill(D.condition, { mode: escape(label(this.task.display, this.state.mode)) })}</p><p class="dim">${escape(this.task.hint)} ${D.clock}</p>`,
       `<button class="primary" id="desk-go">${D.fly}</button>`, (dialog) => {
         dialog.querySelector('#desk-go').onclick = () => this.ask('fly', {}, dialog);
         dialog.querySelector('#desk-go').focus();

@@ -2,6 +2,7 @@
 
 import { HELP, KEYS, REFUSED, S, fill } from './strings.js';
 import { limitWords, number } from './instruments.js';
+import { modeRows } from './modes.js';
 
 const box = () => document.getElementById('dialog');
 
@@ -45,10 +46,9 @@ function keyRows(display) {
 }
 
 export function help(display) {
-  const modes = (display?.modes || []).map((mode) => S[`mode_${mode}`].toLowerCase()).join(', ');
   const abort = display?.abort ? `: ${display.abort}` : '';
-  const [[takeKey, takeWords], ...others] = HELP.map(([keys, what]) => [keys, fill(what, { modes, abort })]);
-  const rows = [[takeKey, takeWords], ...keyRows(display), ...others].map(([keys, what]) => (keys
+  const [[takeKey, takeWords], ...others] = HELP.map(([keys, what]) => [keys, fill(what, { abort })]);
+  const rows = [[takeKey, takeWords], ...keyRows(display), ...modeRows(display), ...others].map(([keys, what]) => (keys
     ? `<tr><td><kbd>${escape(keys)}</kbd></td><td>${escape(what)}</td></tr>` : `<tr><td colspan="2">${escape(what)}</td></tr>`));
   open(`<h3>${S.help_title}</h3><table>${rows.join('')}</table><div class="buttons">${closeButton}</div>`);
 }
@@ -93,8 +93,8 @@ export function newRun(store, start, error = '') {
   }
   const modes = store.display?.modes || [];
   const forms = store.display?.forms || [];
-  const mode = store.frame?.mode || store.run?.mode || 'shared';
-  const options = modes.map((m) => `<option value="${m}" ${m === mode ? 'selected' : ''}>${S[`mode_${m}`]}</option>`);
+  const mode = store.frame?.mode || store.run?.mode || store.asked;
+  const options = modes.map((m) => `<option value="${m.name}" ${m.name === mode ? 'selected' : ''}>${escape(m.label)}</option>`);
   open(`<h3>${S.new_run}</h3><p>${S.new_run_text}</p>
     <p>${modes.length ? `<label>${S.mode} <select id="new-mode">${options.join('')}</select></label> &nbsp;` : ''}
     <label>${S.seed} <input id="new-seed" size="15" inputmode="numeric" placeholder="${S.seed_hint}"></label></p>

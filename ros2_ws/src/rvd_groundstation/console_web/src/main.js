@@ -6,6 +6,7 @@ import * as dialogs from './dialogs.js';
 import { number } from './instruments.js';
 import { inForce } from './ladder.js';
 import { link } from './link.js';
+import { inTurn, ofKey, showModes } from './modes.js';
 import { Orders } from './orders.js';
 import { padDialog } from './pads.js';
 import { Panels } from './panels.js';
@@ -27,7 +28,7 @@ for (const element of document.querySelectorAll('[data-a]')) element.setAttribut
 
 const store = new Store();
 const scene = new Scene($('gl'), $('view'), $('camera'), $('labels'));
-const panels = new Panels(scene);
+const panels = new Panels(scene, (mode) => setMode(mode));
 scene.enabled = !new URLSearchParams(location.search).has('plain'); // for weak machines
 let armedAt = -Infinity;
 let drawnAt = 0;
@@ -69,7 +70,7 @@ function refreshRun() {
   if (!display) return;
   panels.setDisplay(display);
   stick.setController(display.controller);
-  desk.task = { hint: display.hint, goal: display.goal };
+  desk.task = { hint: display.hint, goal: display.goal, display };
   if (!store.run) {
     $('run-name').textContent = '';
     return;
@@ -116,8 +117,8 @@ function newRun(error = '') {
 }
 
 function nextMode() {
-  const modes = store.display?.modes || [];
-  if (modes.length) setMode(modes[(modes.indexOf(store.frame?.mode) + 1) % modes.length]);
+  const names = inTurn(store.display).map((mode) => mode.name);
+  if (names.length) setMode(names[(names.indexOf(store.frame?.mode) + 1) % names.length]);
 }
 
 const PRESSES = {
@@ -130,7 +131,9 @@ const PRESSES = {
 addEventListener('keydown', (event) => {
   if (event.repeat || event.ctrlKey || event.metaKey || event.altKey || typing(event.target)) return;
   if ($('dialog').open && event.code !== 'KeyX') return;
+  const mode = ofKey(store.display, event.code);
   if (PRESSES[event.code] && link) PRESSES[event.code]();
+  else if (mode && link && !review.on) setMode(mode.name);
 });
 $('lease').onclick = toggleLease;
 $('pause').onclick = togglePause;
@@ -139,7 +142,6 @@ $('restart').onclick = () => newRun();
 $('open-review').onclick = () => review.list();
 $('open-settings').onclick = () => padDialog(stick, store.display);
 $('open-help').onclick = () => dialogs.help(store.display);
-for (const button of document.querySelectorAll('[data-mode]')) button.onclick = () => setMode(button.dataset.mode);
 
 // -- what the page shows ------------------------------------------------------------------
 
@@ -153,7 +155,6 @@ function showStatus() {
   $('socket-state').textContent = store.connected ? `● ${S.socket_open}` : `○ ${S.socket_closed}`;
   $('socket-state').className = store.connected ? 'ok' : 'alarm';
   for (const id of ['pause', 'restart']) $(id).disabled = !mine;
-  for (const button of document.querySelectorAll('[data-mode]')) button.disabled = !mine;
 }
 
 function banner(words, small, alarm) {
@@ -227,9 +228,7 @@ function showFrame() {
   showStick();
   showNotes();
   say($('pause'), frame?.paused ? S.resume : S.pause);
-  for (const button of document.querySelectorAll('[data-mode]')) {
-    button.setAttribute('aria-pressed', String(button.dataset.mode === (frame?.mode || run?.mode)));
-  }
+  showModes(store.display, frame, frame?.mode || run?.mode, store.status.lease === 'you');
   if (!run || !frame) return;
   const now = store.now();
   const stale = showClocks(frame, now) || silence > STALE_S || !store.connected;

@@ -1,6 +1,7 @@
 // Requests that steer the run. Each is answered in time, or the page says that it was not; an
 // ABORT, which may be asked any number of times, is asked again for as long as the run goes on.
 
+import { label } from './modes.js';
 import { S, fill } from './strings.js';
 
 const WAIT_MS = 2500; // the server answers within 2 s, whatever the graph does
@@ -51,7 +52,7 @@ export class Orders {
       return [S.abort_unconfirmed, offline + fill(S.abort_again, { n: wanted.times })];
     } else if (wanted && store.abortAt === null && store.connected) return [S.abort_accepted, store.frame?.paused ? S.paused : ''];
     if (!unanswered || performance.now() - unanswered.at > SAID_MS || this.done(unanswered.wish)) return null;
-    const name = unanswered.wish.do === 'mode' ? S[`mode_${unanswered.wish.mode}`] : S[unanswered.wish.do];
+    const name = unanswered.wish.do === 'mode' ? label(store.display, unanswered.wish.mode) : S[unanswered.wish.do];
     return [fill(S.unconfirmed, { name: name.toUpperCase() }), offline + S.unconfirmed_hint];
   }
 

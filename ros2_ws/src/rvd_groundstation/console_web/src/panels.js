@@ -6,6 +6,7 @@ import { COLOUR, say } from './canvas.js';
 import { drawAttitude, drawLamps, setAttitude, setLamps } from './cockpit.js';
 import { sample } from './data.js';
 import { counts, ladder } from './ladder.js';
+import { setModes } from './modes.js';
 import { scaleText } from './scene.js';
 import { S, fill } from './strings.js';
 
@@ -13,8 +14,9 @@ const $ = (id) => document.getElementById(id);
 const CHARTS_MS = 250; // between two looks at the charts
 
 export class Panels {
-  constructor(scene) {
-    this.scene = scene;
+  // `choose` is called with the name of a mode whose button is pressed.
+  constructor(scene, choose) {
+    Object.assign(this, { scene, choose });
     this.instruments = new Instruments();
     this.commands = new Commands();
     this.charts = new Charts();
@@ -45,8 +47,7 @@ export class Panels {
       $('camera').setAttribute('aria-label', display.camera.title);
       $('camera-tag').textContent = display.camera.title;
     }
-    $('modes').hidden = !display.modes.length;
-    for (const button of document.querySelectorAll('[data-mode]')) button.hidden = !display.modes.includes(button.dataset.mode);
+    setModes(display, this.choose);
     $('legend').replaceChildren(...display.legend.map(({ role, words: meaning, dashed }) => {
       const entry = document.createElement('span');
       entry.className = dashed ? 'dash' : '';

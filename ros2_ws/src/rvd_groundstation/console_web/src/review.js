@@ -4,6 +4,7 @@ import * as dialogs from './dialogs.js';
 import { History, sample } from './data.js';
 import { number } from './instruments.js';
 import { rungAt, rungOf } from './ladder.js';
+import { showModes } from './modes.js';
 import { S, fill } from './strings.js';
 
 const $ = (id) => document.getElementById(id);
@@ -125,6 +126,7 @@ export class Review {
     const frame = this.frame();
     const measured = sample(frame, run.display.measured);
     this.banner();
+    showModes(run.display, frame, frame.mode, false);
     this.panels.clocks(frame, frame.t, measured ? fill(S.age, { s: number(frame.t - measured.t, 1) }) : '', '', false);
     this.panels.show({ run, frame, history: this.history, now: frame.t, stale: false, until: frame.t,
       rungs: this.rungs.filter((rung) => rung.sent <= frame.k).map((rung) => rungAt(rung, frame.k)) });

@@ -11,6 +11,7 @@ export class Store {
     this.can = { fly: false, desk: false };
     this.connected = false;
     this.display = null;
+    this.asked = ''; // mode of a run that has not begun
     this.reset(null);
   }
 
@@ -34,6 +35,7 @@ export class Store {
     switch (message.type) {
       case 'hello':
         this.can = message.can;
+        this.asked = message.mode || '';
         if (message.display && !this.display) this.display = message.display;
         break;
       case 'run': this.reset(message); break;

@@ -4,7 +4,7 @@ export const S = {
   title: 'RVD console',
   clocks: 'Three clocks', clock_generated: 'generated on board', clock_received: 'received on the ground',
   clock_predicted: 'predicted for',
-  modes: 'Who decides', mode_manual: 'Manual', mode_shared: 'Shared', mode_auto: 'Auto',
+  modes: 'Who decides', mode_turn: '{modes} in turn', mode_ground: 'ground', mode_board: 'on board',
   pause: 'Pause', resume: 'Resume', abort: 'ABORT', abort_hint: 'X twice', abort_armed: 'again: ABORT',
   instruments: 'Instruments', columns: { measured: 'measured', predicted: 'predicted', truth: 'truth', plain: '' },
   limit: 'limit', weight: 'pilot weight',
@@ -90,7 +90,7 @@ export const S = {
 // The keys of the hand controller come after the first of these.
 export const HELP = [
   ['T', 'take or release the stick'],
-  ['Space', 'dead-man, if so chosen under Stick'], ['M', '{modes} in turn'],
+  ['Space', 'dead-man, if so chosen under Stick'],
   ['P', 'pause, resume'], ['X X', 'ABORT, past every buffer{abort}'],
   ['N', 'new run'], ['V', 'next view'], ['+ − [ ]', 'zoom and turn the scene'], ['L', 'review a run'], ['G', 'stick settings'],
   ['?', 'this list'], ['Esc', 'close'],

@@ -8,6 +8,7 @@ Truth   never enters here: the feed is filled from what is on the ground, and fr
 
 from typing import Any
 
+from rvd_dynamics.diagram.control import MODE_EVENT, MODE_WORDS
 from rvd_dynamics.diagram.display import as_data, DERIVED, Trail
 from rvd_groundstation.console.decode import EMPTY, Heard, Lost, Sample
 from rvd_groundstation.console.ladder import Ladder
@@ -73,6 +74,11 @@ class Feed:
             self.ladder.sent(sample.step, parts['sequence'], tuple(parts['value']), parts['kind'])
             self.ladder.tick(sample.step)
         self._extend_trails(sample.step * self.facts.step_s)
+
+    def event(self, code: str, text: str) -> None:
+        """Take in an event: a new mode counts whoever asked for it."""
+        if code == MODE_EVENT:
+            self.mode = text.removeprefix(MODE_WORDS)
 
     def link(self, status: dict[str, Any]) -> None:
         """Take in the counts of the back link."""

@@ -64,15 +64,15 @@ class Hub:
     Pages, lease, the current run, and what they say to each other.
 
     `ask` hands a wish (a new run, stop, quit) to whoever starts runs; None: nobody does.
-    `display` (from `as_data`) is what a page shows until the first run brings its own.
+    `display` (from `as_data`) and `mode` are what a page shows until the first run brings its own.
     """
 
     def __init__(self, ask: Callable[[dict], None] | None = None, desk: Any = None,
-                 display: dict[str, Any] | None = None) -> None:
+                 display: dict[str, Any] | None = None, mode: str = '') -> None:
         self.lease = Lease()
         self.clients: set[Client] = set()
         self.desk = desk
-        self._display = display
+        self._display, self._mode = display, mode
         self.feed: Feed | None = None
         self.run_name: str | None = None        # folder name of the run under way
         self.phase = 'idle'                     # idle, starting, flying, closing, ended
@@ -104,7 +104,7 @@ class Hub:
         self._tell(client, {
             'type': 'hello', 'you': client.number,
             'can': {'fly': self._ask is not None, 'desk': self.desk is not None},
-            'display': self._display})
+            'display': self._display, 'mode': self._mode})
         if self.feed is not None:
             self._tell(client, {**self.feed.run_message(self.run_name or ''),
                                 'trails': self.feed.trails,
@@ -149,7 +149,7 @@ class Hub:
         if not self._allowed(client, time.monotonic()):
             return
         try:
-            wish = request_of(text)
+            wish = request_of(text, self._modes())
             self._do(client, wish)
         except Refused as refusal:
             self._tell(client, {'type': 'reply', 'id': _id_in(text), 'ok': False,
@@ -206,12 +206,19 @@ class Hub:
             self._reply(client, wish.id, accepted, text)
         self._bridge.control(wish.do, mode, reply)
 
+    def _modes(self) -> list[str]:
+        """Return the names of the modes that the pages have buttons for."""
+        if self.feed is not None:
+            return [mode.name for mode in self.feed.display.modes]
+        return [mode['name'] for mode in (self._display or {}).get('modes', ())]
+
     def _ask_for(self, wish: Request) -> None:
         if self._ask is None:
             raise Refused('NO_FLY')
         if self.desk is not None and wish.do == 'fly':
             raise Refused('DESK')               # the session says what is flown
-        self._ask({'do': wish.do, **(flight_wish(wish.content) if wish.do == 'fly' else {})})
+        self._ask({'do': wish.do, **(flight_wish(wish.content, self._modes())
+                                     if wish.do == 'fly' else {})})
         if wish.do == 'fly':
             self.phase = 'starting'
 
@@ -295,6 +302,8 @@ class Hub:
                 self.begin(*args)
             elif method == 'event':
                 self._everybody({'type': 'event', **args[0]})
+                if self.feed is not None:
+                    self.feed.event(args[0]['code'], args[0]['text'])
             elif method == 'final':
                 self.verdict = {'type': 'verdict', **args[0]}
                 self._everybody(self.verdict)

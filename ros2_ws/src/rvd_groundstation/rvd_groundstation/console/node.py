@@ -14,6 +14,7 @@ from rclpy.signals import SignalHandlerOptions
 from sensor_msgs.msg import Joy
 from std_msgs.msg import Bool
 
+from rvd_dynamics.diagram.control import MODE_EVENT
 from rvd_dynamics.diagram.judge import for_page, from_message
 from rvd_dynamics.diagram.params import leaves
 from rvd_dynamics.diagram.ros.arguments import Arguments, parsed
@@ -34,7 +35,7 @@ from rvd_interfaces.srv import RunControl
 NAME = 'console'
 ACTIONS = {'pause': RunControl.Request.PAUSE, 'resume': RunControl.Request.RESUME,
            'mode': RunControl.Request.MODE, 'abort': RunControl.Request.ABORT}
-ALWAYS = ('PAUSE', 'RESUME')    # events that a page hears whoever says them
+ALWAYS = ('PAUSE', 'RESUME', MODE_EVENT)    # events that a page hears whoever says them
 LINK = '/link/back/status'
 DECODE_S = 1.0 / 30             # [s] wall time
 

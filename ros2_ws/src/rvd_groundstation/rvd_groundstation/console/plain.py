@@ -9,8 +9,8 @@ import numpy as np
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.block import GROUND
 from rvd_dynamics.diagram.display import (
-    CommandAxis, CommandRow, Commands, Display, Instrument, Instruments, MODES, Number,
-    Perspective, Reading, Ref)
+    CommandAxis, CommandRow, Commands, Display, Instrument, Instruments, Mode, MODES,
+    Number, Perspective, Reading, Ref)
 from rvd_dynamics.diagram.scenario import Scenario
 from rvd_dynamics.diagram.signal import Part, Signal
 from rvd_dynamics.link.signals import FRAME
@@ -47,7 +47,8 @@ def plain_display(scenario: Scenario) -> Display:
                 _labels(command), _highest(scenario, command))),
             sent.name, (CommandRow('sent', 'sent', value),), 0 if command.dtype[0] in 'iu' else 3,
             command.unit),
-        modes=tuple(mode for mode in MODES if mode in scenario.mission.modes))
+        modes=tuple(mode if mode in MODES else Mode(mode, mode.capitalize())
+                    for mode in scenario.mission.modes))
 
 
 def _only(scenario: Scenario, what: str, found: list[Signal]) -> Signal:

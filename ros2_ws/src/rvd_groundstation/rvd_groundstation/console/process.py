@@ -50,10 +50,10 @@ async def _serve_runs(options: argparse.Namespace) -> int:
     if options.session is not None:
         from rvd_groundstation.console.desk import Desk, read_session
         desk = Desk(read_session(options.session), options.runs)
-    display = None
+    shown = {}
     if options.display is not None:
-        display = json.loads(options.display.read_text(encoding='utf-8'))
-    hub = Hub(ask=say, desk=desk, display=display)
+        shown = json.loads(options.display.read_text(encoding='utf-8'))
+    hub = Hub(ask=say, desk=desk, **shown)
     server = Server(hub, Address(options.bind, options.port, options.tls_cert, options.tls_key),
                     options.runs)
     from rvd_groundstation.console import node  # noqa: F401 - loaded now, not in a flight

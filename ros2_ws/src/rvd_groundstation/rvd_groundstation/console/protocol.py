@@ -10,6 +10,7 @@ Whatever else comes is refused by name and never guessed at.
 
 import json
 import math
+from collections.abc import Collection
 from dataclasses import dataclass
 from struct import Struct
 from typing import Any
@@ -75,9 +76,9 @@ def stick_of(data: bytes) -> Stick:
                  tuple(held >> bit & 1 == 1 for bit in range(1, 1 + MOST_BUTTONS)))
 
 
-def request_of(text: str) -> Request:
+def request_of(text: str, modes: Collection[str] = MODES) -> Request:
     """
-    Return the request in a text frame.
+    Return the request in a text frame; `modes` are those that may be chosen.
 
     Raises
     ------
@@ -95,12 +96,12 @@ def request_of(text: str) -> Request:
         raise Refused('REQUEST')
     if isinstance(number, bool) or not isinstance(number, int) or not 0 <= number < 1 << 53:
         raise Refused('ID')
-    if do == 'mode' and content.get('mode') not in MODES:
+    if do == 'mode' and content.get('mode') not in modes:
         raise Refused('MODE')
     return Request(do, number, content)
 
 
-def flight_wish(content: dict[str, Any]) -> dict[str, Any]:
+def flight_wish(content: dict[str, Any], modes: Collection[str] = MODES) -> dict[str, Any]:
     """
     Return the checked wish for a new run: `mode`, `seed` and `settings`, each if given.
 
@@ -113,7 +114,7 @@ def flight_wish(content: dict[str, Any]) -> dict[str, Any]:
     """
     wish: dict[str, Any] = {}
     if content.get('mode') is not None:
-        if content['mode'] not in MODES:
+        if content['mode'] not in modes:
             raise Refused('MODE')
         wish['mode'] = content['mode']
     seed = content.get('seed')

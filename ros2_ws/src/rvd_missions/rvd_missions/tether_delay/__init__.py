@@ -36,6 +36,6 @@ MISSION = Mission(
     judge='rvd_missions.tether.judge:Judge',
     figures=f'{HERE}.figures:FIGURES',
     campaign_figures=f'{HERE}.campaign_figures:FIGURES',
-    display='rvd_missions.tether.display:TetherDisplay',
+    display=f'{HERE}.display:OrderedDisplay',
     modes=('model', 'hold', 'go'),
 )

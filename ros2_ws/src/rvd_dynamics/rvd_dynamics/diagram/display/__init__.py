@@ -23,7 +23,7 @@ from rvd_dynamics.diagram.display.cockpit import (  # noqa: F401 - the vocabular
     Attitude, Form, LampGroup, Lamps, Needles, Pixels, Setting)
 from rvd_dynamics.diagram.display.panels import (  # noqa: F401 - the vocabulary
     Axis, Button, Camera, CameraMark, Chart, Charts, CommandAxis, CommandRow, Commands, Controller,
-    Gauge, Hand, Instrument, Instruments, Reading, Readout, Ring, Section, Spot)
+    Gauge, Hand, Instrument, Instruments, Mode, PILOTED, Reading, Readout, Ring, Section, Spot)
 from rvd_dynamics.diagram.display.parts import (  # noqa: F401 - the vocabulary
     DERIVED, is_real, MODES, MOST_AXES, MOST_BUTTONS, Number, Ref, require_known, SENT_PARTS,
     TRUTH)
@@ -62,7 +62,8 @@ class Display:
     legend: tuple[Legend, ...] = ()
     link: bool = True           # commands go over a link: with their ladder and the round trip
     forms: tuple[Form, ...] = ()            # what may be changed before a run
-    modes: tuple[str, ...] = MODES          # those that a pilot may choose
+    modes: tuple[Mode | str, ...] = MODES   # buttons; a name of MODES stands for that of a pilot
+    on_board: Ref | None = None             # name of the mode that telemetry says is obeyed there
     abort: str = ''             # what the craft does under ABORT: "braking and backing away"
     goal: str = 'success'       # what a good flight is: "docking within the limits"
     hint: str = ''              # what a pilot is told before a flight
@@ -70,8 +71,10 @@ class Display:
     def __post_init__(self) -> None:
         require(bool(self.measured), 'display.measured', 'name a signal', repr(self.measured))
         require(len(self.views) > 0, 'display.views', 'be one or more', self.views)
-        require(set(self.modes) <= set(MODES), 'display.modes', f'be some of {", ".join(MODES)}',
-                self.modes)
+        piloted = {mode.name: mode for mode in PILOTED}
+        object.__setattr__(self, 'modes', tuple(
+            piloted.get(mode, mode) if isinstance(mode, str) else mode for mode in self.modes))
+        self._check_modes()
         names = [item.name for item in (*self.bodies, *self.surfaces, *self.lines)]
         twice = sorted({name for name in names if names.count(name) > 1})
         require(not twice, 'display: bodies, surfaces and lines', 'have names of their own',
@@ -91,6 +94,18 @@ class Display:
             if any(isinstance(one, Ref | Number) and one.signal == TRUTH for one in shown):
                 require(part.role == 'truth', f'{type(part).__name__.lower()}: role',
                         'be truth where the truth is shown', repr(part.role))
+
+    def _check_modes(self) -> None:
+        require(all(isinstance(mode, Mode) for mode in self.modes), 'display.modes',
+                f'be of class Mode, or some of {", ".join(MODES)}', self.modes)
+        names = [mode.name for mode in self.modes]
+        require(len(set(names)) == len(names), 'display.modes', 'have names of their own', names)
+        codes = [mode.key for mode in self.modes if mode.key]
+        codes += self.controller.keys if self.controller is not None else []
+        twice = sorted({code for code in codes if codes.count(code) > 1})
+        require(not twice, 'display.modes', 'share no key', ', '.join(twice))
+        require(self.on_board is None or self.on_board.signal != TRUTH, 'display.on_board',
+                'come down the link', self.on_board)
 
     def parts(self) -> dict[str, frozenset[str]]:
         """Return the signals that are shown, each with the names of its parts that are."""

@@ -5,9 +5,9 @@ from math import tan
 
 from rvd_dynamics.diagram.display.cockpit import Pixels
 from rvd_dynamics.diagram.display.parts import (
-    COLUMNS, is_real, MARKS, MOST_AXES, MOST_BUTTONS, Number, PAGE_KEYS, Point, Ref, require_digits,
-    require_finite, require_place, require_plane, require_point, require_positive, require_role,
-    TRUTH)
+    COLUMNS, is_real, MARKS, MODES, MOST_AXES, MOST_BUTTONS, Number, PAGE_KEYS, Point, Ref,
+    require_digits, require_finite, require_place, require_plane, require_point, require_positive,
+    require_role, TRUTH)
 from rvd_dynamics.diagram.params import require
 
 
@@ -340,8 +340,7 @@ class Controller:
                 len(self.axes))
         names = [axis.name for axis in self.axes]
         require(len(set(names)) == len(names), 'controller.axes', 'have names of their own', names)
-        codes = [code for axis in self.axes for pair in axis.keys for code in pair]
-        codes += [button.key for button in self.buttons]
+        codes = self.keys
         require(len(self.buttons) <= MOST_BUTTONS, 'controller.buttons',
                 f'be {MOST_BUTTONS} at most', len(self.buttons))
         for hand in self.hands:
@@ -355,6 +354,38 @@ class Controller:
             is_real(v) and 0.0 < v <= 1.0 for v in self.key_deflections),
             'controller.key_deflections', 'be 1 to 9 numbers above 0 and up to 1',
             self.key_deflections)
+
+    @property
+    def keys(self) -> list[str]:
+        """Key codes of the axes and the buttons."""
+        codes = [code for axis in self.axes for pair in axis.keys for code in pair]
+        return codes + [button.key for button in self.buttons]
+
+
+# -- modes --------------------------------------------------------------------------------
+
+@dataclass(frozen=True)
+class Mode:
+    """
+    A mode of the mission as a button of the page.
+
+    Modes without a key are gone through in turn with M; one with a key is chosen by that alone.
+    """
+
+    name: str                   # as /run/control knows it
+    label: str                  # of the button
+    key: str = ''
+    words: str = ''             # what it does, for the list of keys
+
+    def __post_init__(self) -> None:
+        require(self.name.isidentifier(), 'mode.name', 'be a plain word', repr(self.name))
+        require(bool(self.label), f'mode {self.name}: label', 'not be empty', repr(self.label))
+        require(self.key not in PAGE_KEYS and not self.key.startswith('Digit'),
+                f'mode {self.name}: key', 'be a key code that the page leaves free',
+                repr(self.key))
+
+
+PILOTED = tuple(Mode(name, name.capitalize()) for name in MODES)
 
 
 # -- charts -------------------------------------------------------------------------------

@@ -8,7 +8,7 @@ from std_msgs.msg import Bool
 
 from rvd_dynamics.diagram.block import Block
 from rvd_dynamics.diagram.build import made
-from rvd_dynamics.diagram.control import Control
+from rvd_dynamics.diagram.control import Control, MODE_EVENT, MODE_WORDS
 from rvd_dynamics.diagram.diagram import DiagramError
 from rvd_dynamics.diagram.in_process import everything
 from rvd_dynamics.diagram.ros.firing import FiringNode
@@ -122,7 +122,7 @@ class BlockNode(FiringNode):
         """
         now = self._control
         if now.next_mode != now.mode:
-            self.event('MODE', f'mode {now.next_mode}')
+            self.event(MODE_EVENT, MODE_WORDS + now.next_mode)
             self._control = now._replace(mode=now.next_mode)
         return now
 
