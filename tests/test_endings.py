@@ -2,6 +2,8 @@
 
 import os
 import signal
+import subprocess
+import sys
 import time
 from types import SimpleNamespace
 
@@ -138,6 +140,31 @@ def test_a_recorder_that_still_writes_is_waited_for(monkeypatch, tmp_path, capsy
     flight = after_a_flight(monkeypatch, tmp_path, spin)
     flight._wait_for_the_nodes()
     assert len(looks) == 20 and capsys.readouterr().err == ''
+
+
+@pytest.mark.parametrize('does, given_up_s', [('time.sleep(60)', 1.0), ('while True:\n    pass', 4.0)])
+def test_a_process_that_computes_is_given_longer_than_one_that_hangs(
+        does, given_up_s, monkeypatch, tmp_path):
+    """A first use compiles for longer than a step may take, with other programs about."""
+    monkeypatch.setattr(fly, 'STALL_S', 1.0)
+    monkeypatch.setattr(fly, 'WORK_S', 4.0)
+    process = subprocess.Popen([sys.executable, '-c', f'import time\nprint(flush=True)\n{does}'],
+                               stdout=subprocess.PIPE)
+    process.stdout.readline()
+    try:
+        flight, begun = after_a_flight(monkeypatch, tmp_path, None), time.monotonic()
+        flight._run, flight._spent = SimpleNamespace(pace='lockstep'), (begun, 0.0, False)
+        flight._roster.processes = (SimpleNamespace(name='onboard', nodes=('law',)),)
+        flight._roster.blocks = {'law': None}
+        flight._supervisor.pids = {'onboard': process.pid}
+        flight._watch = SimpleNamespace(steps=1, paused=False, verdict=None, progress_at=begun)
+        while not flight._stalled(time.monotonic()):
+            assert time.monotonic() < begun + 10.0
+            time.sleep(0.05)
+        assert time.monotonic() - begun == pytest.approx(given_up_s, abs=0.9)
+    finally:
+        process.kill()
+        process.wait()
 
 
 @pytest.mark.parametrize('final', [True, False])

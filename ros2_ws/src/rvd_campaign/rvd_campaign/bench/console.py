@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from rvd_campaign import catalogue
+from rvd_campaign.cpu import cpu_s
 from rvd_campaign.exits import CannotRun
 
 WATCHERS = 50
@@ -155,11 +156,11 @@ def _measure_part(part: Part, page: Any, joys: 'Joys', bridge: int, part_s: floa
     """Measure for `part_s` and add it to `part`."""
     page.evaluate('(() => { window.sent = []; window.drawn = rvd.scene.drawn; })()')
     joys.heard.clear()
-    cpu, begun = _cpu_s(bridge), time.monotonic()
+    cpu, begun = cpu_s(bridge), time.monotonic()
     while time.monotonic() - begun < part_s:
         page.wait_for_timeout(250)
     took = time.monotonic() - begun
-    part.cpu_s += _cpu_s(bridge) - cpu
+    part.cpu_s += cpu_s(bridge) - cpu
     part.took_s += took
     sent = dict(page.evaluate('window.sent'))
     part.pictures += page.evaluate('rvd.scene.drawn - window.drawn')
@@ -218,11 +219,6 @@ def _until(page: Any, condition: str, timeout_s: float = 60.0) -> None:
         if time.monotonic() > deadline:
             raise CannotRun(f'the page did not get there: {condition}')
         time.sleep(0.02)
-
-
-def _cpu_s(pid: int) -> float:
-    fields = Path(f'/proc/{pid}/stat').read_text().rsplit(')', 1)[1].split()
-    return (int(fields[11]) + int(fields[12])) / os.sysconf('SC_CLK_TCK')
 
 
 def _console_pid(parent: int) -> int:

@@ -28,7 +28,7 @@ from std_msgs.msg import UInt64
 
 from rvd_campaign import catalogue
 from rvd_campaign.bench.before import BringUp, Checkout
-from rvd_campaign.bench.processes import cpu_s
+from rvd_campaign.cpu import cpu_s
 from rvd_campaign.flight.domain import reserved_domain
 from rvd_campaign.flight.supervisor import Supervisor
 from rvd_dynamics.bad_input import BadInput

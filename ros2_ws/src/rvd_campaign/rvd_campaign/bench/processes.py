@@ -1,22 +1,11 @@
 """
-Processes under measurement: their CPU time, the machine they ran on.
+The machine that measurements are made on.
 """
 
 import os
 import platform
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
-
-TICKS_PER_S = os.sysconf('SC_CLK_TCK')
-
-
-def cpu_s(pid: int) -> float:
-    """Return the CPU time of a process so far, user and system, all threads [s]; 0 when gone."""
-    try:
-        fields = Path(f'/proc/{pid}/stat').read_text(errors='replace').rsplit(')', 1)[1].split()
-    except OSError:
-        return 0.0
-    return (int(fields[11]) + int(fields[12])) / TICKS_PER_S
 
 
 def machine() -> dict[str, object]:

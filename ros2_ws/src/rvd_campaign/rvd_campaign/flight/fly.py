@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any, Callable
 
 from rvd_campaign import catalogue
+from rvd_campaign.cpu import cpu_s
 from rvd_campaign.flight import verdict
 from rvd_dynamics.recording import drawing, reader
 from rvd_campaign.exits import (
@@ -30,7 +31,9 @@ from rvd_groundstation.operators.tape import read_tape, TOPIC
 # [s] wall time for the graph to come up; in real time it compiles before it starts, where it must
 START_S = {'lockstep': 60.0, 'realtime': 180.0}
 END_S = 15.0                    # [s] wall time for the nodes to end after the verdict
-STALL_S = 10.0                  # [s] wall time without a step before the run is given up
+STALL_S = 10.0                  # [s] wall time without a step before the run is given up,
+WORK_S = 120.0                  # [s] and where a process computes meanwhile: a first use compiles
+BUSY = 0.1                      # share of a core that is more than waiting
 USUAL_PACE = '10'               # of a scenario that names none
 SHOW_S = 0.2                    # [s] wall time between two looks
 STOPPED_S = 5.0                 # [s] wall time without a look: this process did not run
@@ -195,6 +198,7 @@ class Flight:
             self._supervisor.stop()
             raise
         self._shown_at, self._shown = 0.0, ''
+        self._spent = time.monotonic(), 0.0, False      # when, CPU time of the ring, whether busy
         self._on_line = False
 
     def fly(self) -> int:
@@ -365,7 +369,24 @@ class Flight:
         patience = STALL_S
         if run.pace == 'realtime':
             patience = max(patience, 4.0 * run.step_s / run.pace_factor)
-        return now - watch.progress_at > patience
+        silent = now - watch.progress_at
+        if silent < 0.5*patience:
+            self._spent = now, self._cpu_s(), False
+        return silent > patience and (silent > WORK_S or not self._computes(now, 0.4*patience))
+
+    def _computes(self, now: float, lately: float) -> bool:
+        """Say whether the processes of the ring have done more than wait, within `lately` [s]."""
+        since, before, _ = self._spent
+        if now - since > lately:
+            spent = self._cpu_s()
+            self._spent = now, spent, spent - before > BUSY*(now - since)
+        return self._spent[2]
+
+    def _cpu_s(self) -> float:
+        pids = self._supervisor.pids
+        return sum(cpu_s(pids[process.name]) for process in self._roster.processes
+                   if process.name in pids and not self._roster.blocks.keys().isdisjoint(
+                       process.nodes))
 
     def _why(self, failures: dict[str, int]) -> str:
         parts = []
