@@ -142,12 +142,12 @@ def test_a_recorder_that_still_writes_is_waited_for(monkeypatch, tmp_path, capsy
     assert len(looks) == 20 and capsys.readouterr().err == ''
 
 
-@pytest.mark.parametrize('does, given_up_s', [('time.sleep(60)', 1.0), ('while True:\n    pass', 4.0)])
+@pytest.mark.parametrize('does, given_up_s', [('time.sleep(60)', 0.6), ('while True:\n    pass', 2.5)])
 def test_a_process_that_computes_is_given_longer_than_one_that_hangs(
         does, given_up_s, monkeypatch, tmp_path):
     """A first use compiles for longer than a step may take, with other programs about."""
-    monkeypatch.setattr(fly, 'STALL_S', 1.0)
-    monkeypatch.setattr(fly, 'WORK_S', 4.0)
+    monkeypatch.setattr(fly, 'STALL_S', 0.6)
+    monkeypatch.setattr(fly, 'WORK_S', 2.5)
     process = subprocess.Popen([sys.executable, '-c', f'import time\nprint(flush=True)\n{does}'],
                                stdout=subprocess.PIPE)
     process.stdout.readline()

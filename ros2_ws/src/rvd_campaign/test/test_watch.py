@@ -2,11 +2,14 @@
 
 from pathlib import Path
 
+from geometry_msgs.msg import TransformStamped
+import pytest
 from rclpy.context import Context
 from rclpy.node import Node
-from rvd_campaign.flight.watch import FlightWatch
+from rvd_campaign.flight.watch import FlightWatch, step_of
 from rvd_dynamics.diagram.identity import new_run, ready_words
 from rvd_dynamics.diagram.ros import qos
+from rvd_dynamics.diagram.ros.host import message_type
 from rvd_dynamics.diagram.roster import Roster
 from rvd_dynamics.diagram.scenario import load
 from rvd_interfaces.msg import RelativeState
@@ -46,3 +49,22 @@ def test_a_step_heard_before_its_plant_said_that_it_is_ready_counts(own_domain):
         watch.close()
         plant.destroy_node()
         context.try_shutdown()
+
+
+@pytest.mark.parametrize('path', sorted(SCENARIOS.glob('*.yaml')), ids=lambda path: path.stem)
+def test_the_step_of_every_message_of_every_scenario_is_known(path):
+    """A run that hangs is explained from them, standard messages among them."""
+    roster = Roster(load(path))
+    for topic in {t for name in roster.names for t in roster.emits(name)} - {'/clock'}:
+        message = message_type(roster.topics[topic])()
+        if hasattr(message, 'transforms'):
+            assert step_of(message, 10) == -1
+            message.transforms.append(TransformStamped())
+        stamped = message.transforms[0] if hasattr(message, 'transforms') else message
+        if hasattr(message, 'step'):
+            message.step = 7
+        elif hasattr(message, 'data'):
+            message.data = 7
+        else:
+            stamped.header.stamp.nanosec = 70
+        assert step_of(message, 10) == 7, topic

@@ -30,6 +30,15 @@ GLANCE_S = 0.05                 # [s] wall time between two looks at the flight
 DECIDES = {BY_NOBODY: 'nobody', BY_PILOT: 'pilot', BY_AUTO: 'auto', BY_GUARD: 'guard'}
 
 
+def step_of(message: Any, step_ns: int) -> int:
+    """Return the step that a message of a run is of: its own, or that of its stamp; -1: none."""
+    step = getattr(message, 'step', getattr(message, 'data', None))
+    if step is not None:
+        return step
+    stamped = next(iter(message.transforms), None) if hasattr(message, 'transforms') else message
+    return -1 if stamped is None else ns_of(stamped.header.stamp) // step_ns
+
+
 class FlightWatch:
     """Follows one run; `spin` it, then ask."""
 
@@ -164,10 +173,7 @@ class FlightWatch:
 
         def note(topic: str, kind: type):
             def take(data: bytes) -> None:
-                message = deserialize_message(data, kind)
-                step = getattr(message, 'step', getattr(message, 'data', None))
-                if step is None:                # Joy
-                    step = ns_of(message.header.stamp) // self._run.step_ns
+                step = step_of(deserialize_message(data, kind), self._run.step_ns)
                 last[topic] = max(step, last.get(topic, -1))
             return take
 
