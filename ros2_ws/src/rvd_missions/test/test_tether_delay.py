@@ -166,6 +166,72 @@ def test_where_no_plan_can_be_made_the_gripper_stays_on_hold(monkeypatch):
     assert batch.history[CRAFT.name].doing[-1, 0] == STANDING
 
 
+# -- a new plan in flight ------------------------------------------------------------------------
+
+ANEW = {'ground__replan_m': 0.3, 'ground__least_s': 16.0, 'ground__solve_s': 0.5,
+        'ground__lead_s': 0.3, 'timeout_s': 45.0}
+FAST = {'velocity_error_m_s': [0.5, 0.03, -0.03]}       # of the release
+NO_HOLD = {'hold_range_m': 0.0}
+
+
+def anew(runs=(0,), **sections):
+    return flown(runs, shared=ANEW, **{
+        'gripper_dynamics': FAST, 'flight_director': NO_HOLD, **sections})
+
+
+def test_one_that_has_strayed_joins_a_new_plan_in_flight_and_saves_thrust():
+    """Two legs of 2 s: where the gripper will be when the plan begins is known to 3 cm."""
+    flown_on = flown(shared={**ANEW, 'ground__replan_m': 0.0}, gripper_dynamics=FAST,
+                     flight_director=NO_HOLD)
+    batch = anew()
+    doing = batch.history[CRAFT.name].doing[:, 0]
+    order = doing[np.flatnonzero(np.diff(doing, prepend=255))]
+    assert order.tolist() == [LATCHED, FLYING, ARRIVED]         # it never stopped
+    assert batch.columns['plans'][0] == 2 and flown_on.columns['plans'][0] == 1
+    assert batch.verdict.reason[0] == 'arrived' and batch.columns['miss_m'][0] < 0.05
+    assert batch.verdict.values['fuel_N_s'][0] < 0.8*flown_on.verdict.values['fuel_N_s'][0]
+    assert (batch.verdict.values['tension_N'] >= 0.02).all()
+    # where it is against where the new plan begins, by truth and tracking
+    plan = batch.history[CRAFT.name].plan[:, 0]
+    at = int(np.flatnonzero(plan == 2)[0])
+    told, truth = batch.history[TRACKING.name], batch.history[TRUTH.name]
+    seen = truth.target[at, 0]
+    assert told.range[at, 0] == pytest.approx(np.linalg.norm(seen), abs=0.03)
+    assert_allclose(told.planned[at, 0, 1:3], [np.arctan2(seen[1], seen[0]), np.arctan2(
+        seen[2], np.hypot(seen[0], seen[1]))], atol=1e-3)
+    assert batch.columns['joined_m'][0] < 0.03
+    # the plan before would have had it somewhere else
+    old = flown_on.history[TRACKING.name].range[at, 0]
+    assert abs(old - told.range[at, 0]) > 0.5
+
+
+def test_with_noise_a_new_plan_in_flight_is_the_same_alone_and_in_a_batch():
+    batch, alone = anew(range(2), gripper_sensors=NOISE), anew([1], gripper_sensors=NOISE)
+    assert (batch.columns['plans'] >= 2).all() and (batch.verdict.reason == 'arrived').all()
+    assert np.nanmax(batch.columns['joined_m']) < 0.2
+    assert_array_equal(batch.history[TRUTH.name].state[:, 1], alone.history[TRUTH.name].state[:, 0])
+
+
+def test_where_there_is_no_plan_in_flight_the_one_before_is_flown_on(monkeypatch):
+    from rvd_missions.tether_delay import planning
+
+    def none(*_):
+        raise BadInput('plan infeasible')
+    monkeypatch.setattr(planning.Preparation, 'in_flight', none)
+    batch = anew()
+    assert batch.history[SITUATION.name].refused[-1, 0] > 0
+    assert batch.columns['plans'][0] == 1 and batch.verdict.reason[0] == 'arrived'
+
+
+def test_a_hold_after_a_new_plan_in_flight_still_stands_and_is_planned_on_from():
+    batch = flown(shared={**ANEW, 'timeout_s': 90.0}, gripper_dynamics=FAST,
+                  flight_director={**DIRECTOR, 'hold_range_m': 28.0})
+    doing = batch.history[CRAFT.name].doing[:, 0]
+    order = doing[np.flatnonzero(np.diff(doing, prepend=255))]
+    assert order.tolist() == [LATCHED, FLYING, BRAKING, STANDING, FLYING, ARRIVED]
+    assert batch.columns['plans'][0] == 3 and batch.verdict.reason[0] == 'arrived'
+
+
 # -- pieces ----------------------------------------------------------------------------------------
 
 @settings(max_examples=50)

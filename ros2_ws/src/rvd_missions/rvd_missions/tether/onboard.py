@@ -61,6 +61,10 @@ class Feedback:
         self._error, self._slope = np.zeros((2, *batch, 6))
         self._begun = False
 
+    def resume(self, error: NDArray, slope: NDArray) -> None:
+        """Go on from errors (..., 6) and their filtered differences, as if it had run before."""
+        self._error, self._slope, self._begun = error, slope, True
+
     def answer(self, error: NDArray, planned_range: ArrayLike, anew: NDArray | None = None
                ) -> NDArray[np.float64]:
         """

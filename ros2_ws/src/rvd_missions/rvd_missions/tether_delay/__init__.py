@@ -29,6 +29,7 @@ MISSION = Mission(
         'form': f'{HERE}.commands:OrderForm',           # of the frames that go up
         'tether_form': TETHER.parts['form'],            # of what the guard lets through
         'preparation': f'{HERE}.planning:Preparation',
+        'tracker': f'{HERE}.settings:tracker',          # as the ground knows it
         'checked': f'{HERE}.settings:checked',
     },
     checked=('checked', 'legs'),

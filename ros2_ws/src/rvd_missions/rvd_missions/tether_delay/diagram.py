@@ -54,5 +54,5 @@ def diagram(scenario: Scenario) -> Diagram:
               reads={'arrival': now(WANTED)}, writes={'thrust': THRUST},
               settings=settings['onboard_guard']),
         Block('columns', f'{HERE}.columns:Columns', WATCH, reads={
-            'truth': now(TRUTH), 'craft': now(CRAFT)}, executable=''),
+            'truth': now(TRUTH), 'craft': now(CRAFT), 'tracking': now(TRACKING)}, executable=''),
     ), plant='gripper_dynamics', guard='onboard_guard', thrust=THRUST.name)

@@ -7,7 +7,9 @@ long, so that a run does not depend on the machine; meanwhile a thread solves it
 full second, late enough to be on board by then.
 
 After a HOLD only a gripper that stands is planned for: its place is then the same however old the
-telemetry is, so that the delay costs time, but not accuracy.
+telemetry is, so that the delay costs time, but not accuracy. With `replan_m` one under way that has
+strayed from its plan is planned for too, from where it is predicted to be when the new plan begins
+(`prediction`); it flies its plan on until then.
 """
 
 from concurrent.futures import Future, ThreadPoolExecutor
@@ -24,11 +26,16 @@ from rvd_groundstation.planning.plan import Plan
 from rvd_missions.tether import geometry
 from rvd_missions.tether.commands import TetherForm
 from rvd_missions.tether.inputs import InputParams, reference
+from rvd_missions.tether.onboard import TrackerParams
 from rvd_missions.tether_delay.planning import Preparation, turn, turned
+from rvd_missions.tether_delay.prediction import Follower, Made
 from rvd_missions.tether_delay.settings import DirectorParams, GroundParams
 from rvd_missions.tether_delay.signals import (
     ABORTED, COMMAND, DECISION, FLYING, GO, HOLD, LATCHED, ORDER_WIDTH, SITUATION, STANDING,
     TELEMETRY, UPLINK, WAIT)
+
+RETRY_S = 10.0                          # from a refused plan in flight until another is asked for
+LATER = 10                              # seconds by which its begin is put off, at most
 
 
 class FlightDirector:
@@ -75,10 +82,11 @@ class Row:
         self.number = 0                 # of the plan that goes up; 0: none yet
         self.points: NDArray | None = None      # (K + 2, 24) of that plan, as they go up
         self.first = 0                  # step in which the first point goes up
-        self.ranges: NDArray = np.empty(0)      # planned range and inputs from its begin on
-        self.inputs: NDArray = np.empty((0, 7))
-        self.begin = 0                  # step
+        self.made: Made | None = None   # that plan, and the one that was flown before it began
+        self.before: Made | None = None
         self.asked: tuple[int, Future] | None = None    # step from which the plan is used
+        self.under_way = False          # whether it was asked for in flight
+        self.rests = 0                  # step until which none is asked for in flight
         self.refused = 0
         self.void = False               # the plan that goes up is not to be flown any more
         self.seen: list[NDArray] = []   # where it stood, turned back to the start
@@ -88,7 +96,8 @@ class MissionControl:
     """Fires on each telemetry frame, empty ones too."""
 
     def __init__(self, preparation: Preparation, ground_work: GroundParams, inputs: InputParams,
-                 tether_form: TetherForm, run: Run, legs: Legs, batch: tuple) -> None:
+                 tether_form: TetherForm, tracker: TrackerParams, run: Run, legs: Legs,
+                 batch: tuple) -> None:
         self._prepared, self._work, self._batch = preparation, ground_work, batch
         self._form, self._spline = tether_form, inputs.spline
         self._legs, self._h = legs, run.step_s
@@ -101,6 +110,9 @@ class MissionControl:
                        + round(ground_work.lead_s/run.step_s))
         self._second = max(1, round(1.0/run.step_s))
         self._solver = ThreadPoolExecutor(1, 'planner')
+        self._stretched = tracker.knows_stretch
+        self._follower = Follower(preparation, tracker, tether_form, run, len(
+            self._rows)) if ground_work.replan_m > 0.0 else None
 
     def step(self, k: int, telemetry: Any, decision: Any, control: Control) -> dict[str, Any]:
         """Return the situation of step k, and the order and the point of a plan that go up."""
@@ -108,6 +120,8 @@ class MissionControl:
         state = np.reshape(telemetry.state, (len(self._rows), -1))
         self._state = np.where(received[:, np.newaxis], state, self._state)
         self._at = np.where(received, max(k - self._legs.back, 0), self._at)
+        if self._follower is not None and k >= self._legs.back:
+            self._follower.take(k - self._legs.back, received, self._state)
         wanted = np.reshape(decision.order, -1)
         if control.mode in ('hold', 'go'):
             wanted = np.full_like(wanted, HOLD if control.mode == 'hold' else GO)
@@ -117,13 +131,13 @@ class MissionControl:
                 ((), np.nan), ((7,), 0.0)))
         fed[:] = self._form.neutral
         for i, row in enumerate(self._rows):
-            self._work_on(row, k, int(wanted[i]), self._state[i], int(self._at[i]),
-                          bool(received[i]))
+            self._work_on(i, k, int(wanted[i]), bool(received[i]))
             self._fill(row, k, int(wanted[i]), sent[i])
-            at = k + self._legs.forward - row.begin
-            if row.number and 0 <= at and not row.void and len(row.ranges):
-                at = min(at, len(row.ranges) - 1)
-                ahead[i], fed[i] = row.ranges[at], row.inputs[at]
+            acts = k + self._legs.forward
+            made = row.before if row.before and acts < row.made.begin else row.made
+            if made and made.begin <= acts and not row.void:
+                at = min(acts - made.begin, len(made.places) - 1)
+                ahead[i], fed[i] = made.said.range_m[at], made.said.inputs[at]
         kind = np.where(abort, np.uint8(KIND_ABORT), np.uint8(KIND_THRUST)).reshape(self._batch)
         return {'command': COMMAND(command=self._shaped(self._form.quantise(fed)), kind=kind),
                 'uplink': UPLINK(command=self._shaped(sent), kind=kind,
@@ -135,15 +149,17 @@ class MissionControl:
 
     # -- plans ------------------------------------------------------------------------------------
 
-    def _work_on(self, row: Row, k: int, order: int, state: NDArray, at: int,
-                 received: bool) -> None:
+    def _work_on(self, i: int, k: int, order: int, received: bool) -> None:
         """Follow what is done on board; ask for a plan where one is wanted."""
+        row, state, at = self._rows[i], self._state[i], int(self._at[i])
         if not np.isfinite(state[14]):
             doing = LATCHED                             # nothing has come down yet: as it began
         else:
             doing = int(state[14])
         if order == HOLD:
             row.void = row.void or doing != LATCHED
+            if row.under_way:
+                row.asked, row.under_way = None, False
         if doing != STANDING:
             row.seen.clear()
         elif received:
@@ -161,32 +177,62 @@ class MissionControl:
             else:
                 call = made.onward, self._start(row, begin_s), begin_s
             row.asked = (k + round(self._work.solve_s/self._h), self._solver.submit(*call))
+        elif order == GO and doing == FLYING:
+            self._in_flight(i, k, int(state[16]))
+
+    def _in_flight(self, i: int, k: int, flown: int) -> None:
+        """Ask for a plan in flight where the gripper has strayed from the one that it flies."""
+        row = self._rows[i]
+        if self._follower is None or row.void or k < row.rests or row.made is None:
+            return
+        made = row.made
+        if made.number != flown:                        # on its way, or never begun
+            if not self._missed(row, k) or row.before is None or row.before.number != flown:
+                return
+            made = row.before
+        if self._follower.off(i, made) < self._work.replan_m:
+            return
+        first = -(-(k + self._ahead)//self._second)*self._second
+        # not where the plan before is at a bound: there is no room, or only for a detour
+        for begin in range(first, first + (LATER + 1)*self._second, self._second):
+            if made.plan.end_s - begin*self._h < self._work.least_s:
+                break
+            start = self._follower.onward(i, made, begin)
+            if self._prepared.within(start, begin*self._h):
+                row.under_way = True
+                row.asked = (k + round(self._work.solve_s/self._h), self._solver.submit(
+                    self._prepared.in_flight, start, begin*self._h, made.plan))
+                return
+        row.rests = k + self._second
 
     def _missed(self, row: Row, k: int) -> bool:
         """Return whether the plan should have begun long ago, and the craft did not begin it."""
-        return row.number > 0 and k - self._legs.loop > row.begin + 2*self._second
+        return row.number > 0 and k - self._legs.loop > row.made.begin + 2*self._second
 
     def _use(self, row: Row, k: int) -> None:
         """Send a plan up from the step on for which it was asked."""
         ready, solving = row.asked
         if k < ready:
             return
-        row.asked = None
+        row.asked, under_way, row.under_way = None, row.under_way, False
         try:
             plan: Plan = solving.result()
         except BadInput:
             if row.number == 0:
                 raise                                   # there is no approach at all
-            row.refused += 1                            # it stands on: HOLD needs no plan
-            row.void = True
+            row.refused += 1                            # it flies or stands on
+            row.void, row.rests = not under_way, k + round(RETRY_S/self._h)
             return
         p, points = self._prepared, len(plan.states)
         row.number, row.first, row.void = row.number + 1, k, False
-        row.begin = round(plan.begin_s/self._h)
-        steps = row.begin + np.arange(round(plan.duration_s/self._h) + 1)
-        made = reference(plan, self._spline, steps*self._h, p.orbit, p.gripper, p.tether,
-                         p.approach, False)
-        row.ranges, row.inputs = made.range_m, made.inputs
+        begin = round(plan.begin_s/self._h)
+        times = self._h*(begin + np.arange(round(plan.duration_s/self._h) + 1))
+        said = reference(plan, self._spline, times, p.orbit, p.gripper, p.tether, p.approach,
+                         self._stretched)
+        flown = row.before if under_way and self._missed(row, k) else row.made
+        row.before = flown if under_way else None
+        row.made = Made(row.number, begin, plan, said, plan.state_at(
+            np.clip(times, plan.begin_s, plan.end_s))[:, :3])
         row.points = np.zeros((points, ORDER_WIDTH))
         row.points[:, 1], row.points[:, 2] = row.number, np.arange(points)
         row.points[:, 3], row.points[:, 4] = plan.begin_s, plan.end_s

@@ -93,9 +93,13 @@ class OrderedTracker:
         n = self._rows = int(np.prod(batch, dtype=int))
         self._feedback = Feedback(settings, p.gripper, run.step_s, (n,))
         self._store = Store(n, p.planner.nodes)
-        self._table: NDArray = np.zeros((n, 1, 14))     # of the complete plan: seen, inputs, range
-        self._begin, self._last, self._ready, self._flown = np.zeros((4, n), dtype=int)
+        # of the plan that is flown, and of the newest complete one: seen, inputs, range
+        self._table: NDArray = np.zeros((n, 1, 14))
+        self._next: NDArray = np.zeros((n, 1, 14))
+        self._begin, self._last, self._flown = np.zeros((3, n), dtype=int)
+        self._opens, self._closes, self._ready = np.zeros((3, n), dtype=int)
         self._doing, self._was = np.full((2, n), LATCHED)       # now, and in the step before
+        self._followed = np.zeros(n, dtype=int)                 # plan of the step before
         # what is held from: step, what was seen, speed along the tether, deceleration
         self._since = np.zeros(n, dtype=int)
         self._from, self._speed, self._brakes = np.zeros((n, 6)), np.zeros(n), np.ones(n)
@@ -109,8 +113,9 @@ class OrderedTracker:
         self._watch_length(measured)
         self._obey(k, arrival)
         # another reference is followed than before; one that stands has been braking
-        anew = (self._doing != self._was) & (self._doing != STANDING)
-        self._was = self._doing.copy()
+        anew = ((self._doing != self._was) & (self._doing != STANDING)) | (
+            (self._doing == FLYING) & (self._flown != self._followed))
+        self._was, self._followed = self._doing.copy(), self._flown.copy()
         followed, fed, far = self._reference(k)
         error = measured - followed
         # blind: bearing is not what it seems, length and attitude still are
@@ -124,7 +129,8 @@ class OrderedTracker:
         def shaped(v: NDArray) -> NDArray:
             return np.reshape(v, (*self._batch, *v.shape[1:]))
         state = np.concatenate([measured, followed, np.stack(
-            [far, command[:, 0], self._doing, self._ready, self._flown], axis=-1)], axis=-1)
+            [far, command[:, 0], self._doing, self._ready, self._flown], axis=-1),
+            command[:, 1:]], axis=-1)
         if self._settings.aborts_blind:
             self._stop(k, blind & (self._doing == FLYING), ABORTED)     # from the next step on
         return {
@@ -157,11 +163,16 @@ class OrderedTracker:
         told = received & (kind == KIND_THRUST)
         self._stop(k, told & (sent[:, 0] == HOLD) & (self._doing == FLYING), BRAKING)
         going = (told & (sent[:, 0] == GO) & (sent[:, 1] == self._ready)
-                 & (self._ready > self._flown) & (k >= self._begin)
-                 & (k <= self._begin + round(LATE_S/self._h))
-                 & ((self._doing == LATCHED) | (self._doing == STANDING)))
-        self._doing = np.where(going, FLYING, self._doing)
-        self._flown = np.where(going, self._ready, self._flown)
+                 & (self._ready > self._flown) & (k >= self._opens)
+                 & (k <= self._opens + round(LATE_S/self._h))
+                 & ((self._doing == LATCHED) | (self._doing == STANDING)
+                    | (self._doing == FLYING)))
+        if going.any():
+            self._doing = np.where(going, FLYING, self._doing)
+            self._flown = np.where(going, self._ready, self._flown)
+            self._begin = np.where(going, self._opens, self._begin)
+            self._last = np.where(going, self._closes, self._last)
+            self._table = np.where(going[:, np.newaxis, np.newaxis], self._next, self._table)
         over = (self._doing == FLYING) & (k > self._last)
         self._doing = np.where(over, ARRIVED, self._doing)
         age = (k - self._since)*self._h
@@ -191,12 +202,13 @@ class OrderedTracker:
         last = begin + round(plan.duration_s/self._h)
         made = reference(plan, self._spline, np.arange(begin, last + 1)*self._h, p.orbit, p.gripper,
                          p.tether, p.approach, self._settings.knows_stretch)
-        if self._table.shape[1] < last - begin + 1:
-            more = last - begin + 1 - self._table.shape[1]
-            self._table = np.pad(self._table, ((0, 0), (0, more), (0, 0)))
-        self._table[row, :last - begin + 1] = np.concatenate(
+        more = last - begin + 1 - self._next.shape[1]
+        if more > 0:
+            self._table, self._next = (np.pad(table, ((0, 0), (0, more), (0, 0)))
+                                       for table in (self._table, self._next))
+        self._next[row, :last - begin + 1] = np.concatenate(
             [made.seen, made.inputs, made.range_m[:, np.newaxis]], axis=-1)
-        self._begin[row], self._last[row] = begin, last
+        self._opens[row], self._closes[row] = begin, last
         self._ready[row] = self._store.number[row]
 
     # -- what is followed -------------------------------------------------------------------------

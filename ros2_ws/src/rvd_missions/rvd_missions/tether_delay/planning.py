@@ -11,11 +11,15 @@ from functools import cached_property, lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.run import Run
 from rvd_groundstation.planning.plan import Plan, straight
 from rvd_missions.tether import geometry, optimum
 from rvd_missions.tether.settings import ApproachParams, OrbitParams
 from rvd_missions.tether_delay.settings import GroundParams
+
+MOST_ROLL = 0.5                         # [rad] the law on board takes Euler angles for body axes
+WITHIN = 0.95                           # of the bounds of the plan's angles, where one may begin
 
 
 @dataclass(frozen=True)
@@ -48,6 +52,39 @@ class Preparation(optimum.Preparation):
         way = float(np.linalg.norm(goal[:3] - start[:3]))
         took = max(work.least_s, way/work.speed_m_s)
         return _solved(self._all, start, begin_s, (took, took))
+
+
+    def in_flight(self, start: NDArray, begin_s: float, before: Plan) -> Plan:
+        """
+        Return a plan from a state (12,) under way at a time [s] to the end of the plan before.
+
+        Raises
+        ------
+        BadInput
+            If there is none, or only one that rolls further than the law on board follows.
+        """
+        took = before.end_s - begin_s
+        found = optimum.solver(*self._all).solve(start, optimum.ENDS, (took, took), begin_s,
+                                                 guess=rest_of(before, begin_s, start))
+        roll = float(np.abs(found.states[:, 6]).max())
+        if roll > MOST_ROLL:
+            raise BadInput(f'plan must roll by at most {MOST_ROLL:g} rad, and rolls by {roll:.3g}')
+        return found
+
+    def within(self, start: NDArray, begin_s: float) -> bool:
+        """Say whether sight, pitch and yaw of a state (12,) leave a plan from there some room."""
+        place = geometry.baseline(self.orbit, self.approach.baseline_m, begin_s).place
+        sight = geometry.line(place - start[:3])
+        angles = np.abs([sight.alpha, sight.beta, start[7], start[8]])
+        return bool((angles <= WITHIN*self.approach.angle_limit).all())
+
+
+def rest_of(plan: Plan, begin_s: float, start: NDArray) -> Plan:
+    """Return what is left of a plan from a time on [s], on as many nodes, from a state (12,)."""
+    rest = Plan(begin_s, plan.end_s, plan.states, plan.controls)
+    return Plan(begin_s, plan.end_s, np.concatenate(
+        [start[np.newaxis], plan.state_at(rest.state_s[1:])]), np.clip(
+            plan.control_at(rest.node_s), plan.controls.min(axis=0), plan.controls.max(axis=0)))
 
 
 @lru_cache(maxsize=64)

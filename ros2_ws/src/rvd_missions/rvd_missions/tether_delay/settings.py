@@ -4,7 +4,9 @@ Settings of the decisions: who takes them, how the ground plans, how the gripper
 
 from rvd_dynamics.diagram.params import param, require, settings
 from rvd_dynamics.diagram.run import Run
+from rvd_dynamics.diagram.scenario import Scenario
 from rvd_missions.tether import settings as tether
+from rvd_missions.tether.onboard import TrackerParams
 from rvd_missions.tether.settings import ApproachParams
 
 MODES = ('model', 'hold', 'go')
@@ -52,6 +54,14 @@ class GroundParams:
         0.6, 'Mean speed of a plan after a hold, which gives its duration [m/s].', above=0.0,
         high=10.0)
     least_s: float = param(30.0, 'Least duration of such a plan [s].', above=0.0, high=3600.0)
+    replan_m: float = param(
+        0.0, 'Distance of the gripper from its plan, as the telemetry tells it, from which on it is '
+        'planned for anew in flight [m]; 0: never.', low=0.0, high=1000.0)
+
+
+def tracker(scenario: Scenario) -> TrackerParams:
+    """Return the law on board, as the ground has to know it to predict what the gripper does."""
+    return scenario.settings('gripper_tracker')
 
 
 @settings

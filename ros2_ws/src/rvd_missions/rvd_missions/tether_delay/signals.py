@@ -25,8 +25,9 @@ _order = Part('command', (ORDER_WIDTH,), '1, s, m, m/s, rad, rad/s, N, N m', ini
 
 UPLINK, ARRIVAL = link.uplink(_order), link.arrival(_order)
 # measured (6), followed (6), range by which it is followed, tension that is asked for, what the
-# gripper does, number of the newest plan that is complete on board, and of the one that is flown
-DOWNLINK, TELEMETRY = (make(Part('state', (17,), 'm, rad, N, 1')) for make in (
+# gripper does, number of the newest plan that is complete on board, and of the one that is flown,
+# force (3) and torque (3) that are asked for
+DOWNLINK, TELEMETRY = (make(Part('state', (23,), 'm, rad, N, 1, N m')) for make in (
     link.downlink, link.telemetry))
 DECISION = Signal('/ground/decision', (
     Part('order', (), 'WAIT, GO, HOLD', 'u1'), Part('abort', (), '', '?')))
