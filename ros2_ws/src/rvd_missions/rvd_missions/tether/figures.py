@@ -55,7 +55,7 @@ def trajectory(run: Recording) -> 'Canvas':
     figure = canvas(5.4, top=0.42, hspace=0.14)
     panels = figure.subplots(3, 1, sharex=True)
     truth, told = run.of(TRUTH), run.of(TRACKING)
-    sight = _direction(told['planned'][:, 1:3])
+    sight = direction(told['planned'][:, 1:3])
     planned, was = -told['range'][:, np.newaxis]*sight, -truth['target']
     for i, (axes, name) in enumerate(zip(panels, 'xyz')):
         axes.plot(told.t, planned[:, i], color=MUTED, linestyle=DASHED, label='planned')
@@ -90,10 +90,10 @@ def tether_torque(run: Recording) -> 'Canvas':
     axes = figure.subplots()
     truth, told = run.of(TRUTH), run.of(TRACKING)
     arm = run.scenario.part('gripper').attachment_m
-    was = _torque(arm*truth['tension'], truth['state'][:, :3], truth['state'][:, 6:10])
+    was = torque(arm*truth['tension'], truth['state'][:, :3], truth['state'][:, 6:10])
     target = truth['target'] + truth['state'][:, :3]            # from the platform
-    place = target[:len(told.t)] - told['range'][:, np.newaxis]*_direction(told['planned'][:, 1:3])
-    planned = _torque(arm*told['feedforward'][:, 0], place,
+    place = target[:len(told.t)] - told['range'][:, np.newaxis]*direction(told['planned'][:, 1:3])
+    planned = torque(arm*told['feedforward'][:, 0], place,
                       geometry.quaternion(told['planned'][:, 3:]))
     for i, name in ((1, 'y'), (2, 'z')):
         axes.plot(told.t, planned[:, i], color=AXES[i], linestyle=DASHED, linewidth=1.0)
@@ -112,7 +112,7 @@ def sight(run: Recording) -> 'Canvas':
     axes = figure.subplots()
     truth, told = run.of(TRUTH), run.of(TRACKING)
     planned = geometry.sight_angle(geometry.quaternion(told['planned'][:, 3:]),
-                                   _direction(told['planned'][:, 1:3]))
+                                   direction(told['planned'][:, 1:3]))
     axes.plot(told.t, planned, color=MUTED, linestyle=DASHED, label='planned')
     axes.plot(truth.t, geometry.sight_angle(truth['state'][:, 6:10], truth['target']), color=INK,
               label='actual')
@@ -124,13 +124,13 @@ def sight(run: Recording) -> 'Canvas':
     return figure
 
 
-def _direction(angles: NDArray) -> NDArray[np.float64]:
+def direction(angles: NDArray) -> NDArray[np.float64]:
     """Return unit vectors (n, 3) of alpha and beta (n, 2)."""
     a, b = angles[:, 0], angles[:, 1]
     return np.stack([np.cos(b)*np.cos(a), np.cos(b)*np.sin(a), np.sin(b)], axis=-1)
 
 
-def _torque(pull: NDArray, place: NDArray, attitude: NDArray) -> NDArray[np.float64]:
+def torque(pull: NDArray, place: NDArray, attitude: NDArray) -> NDArray[np.float64]:
     """Return x_b times x_t (n, 3) in the body, times `pull` (n,)."""
     along = geometry.to_body(attitude, place/np.linalg.norm(place, axis=-1, keepdims=True))
     nothing = np.zeros(len(pull))
