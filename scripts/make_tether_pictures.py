@@ -10,7 +10,8 @@ import numpy as np
 
 from rvd_dynamics.diagram.in_process import fly
 from rvd_dynamics.diagram.scenario import load
-from rvd_dynamics.recording.drawing import ABOVE, canvas, DASHED, INK, MUTED, ORANGE, png, VERMILLION
+from rvd_dynamics.recording.drawing import (
+    ABOVE, canvas, DASHED, INK, MUTED, ORANGE, png, VERMILLION)
 from rvd_dynamics.recording.history import everything, of_history
 from rvd_missions.tether import figures, geometry
 from rvd_missions.tether.signals import TRACKING, TRUTH
@@ -59,8 +60,8 @@ def cases(open_loop, closed_loop):
                 axes[3].plot(truth.t, truth['applied'][:, 1 + i], color=figures.AXES[i], label=name)
                 axes[3].plot(told.t, told['feedforward'][:, 1 + i], color=figures.AXES[i],
                              linestyle=DASHED, linewidth=1.0)
-        axes[4].plot(told.t, geometry.sight_angle(geometry.quaternion(told['planned'][:, 3:]), sight),
-                     color=MUTED, linestyle=DASHED)
+        meant = geometry.sight_angle(geometry.quaternion(told['planned'][:, 3:]), sight)
+        axes[4].plot(told.t, meant, color=MUTED, linestyle=DASHED)
         axes[4].plot(truth.t, geometry.sight_angle(truth['state'][:, 6:10], truth['target']),
                      color=INK)
         axes[4].axvline(52.0, color=ORANGE, linewidth=0.8)

@@ -19,7 +19,7 @@ from rvd_dynamics.diagram.control import Change
 from rvd_dynamics.diagram.in_process import fly
 from rvd_dynamics.diagram.run import Run
 from rvd_dynamics.diagram.scenario import load
-from rvd_missions.tether import geometry, motion, optimum, studies
+from rvd_missions.tether import geometry, motion, optimum, published, studies
 from rvd_missions.tether.commands import TetherForm
 from rvd_missions.tether.inputs import InputParams, joined, limits, SPLINES
 from rvd_missions.tether.onboard import GripperTracker, TrackerParams
@@ -83,6 +83,13 @@ def test_it_is_the_clipping_of_the_spline_that_makes_the_open_loop_end_long(orbi
     # the clipped tension is larger in the mean, so it brakes early
     clipped, free = (inputs[:, list(wanted).index(s), 0].mean() for s in ('clipped', 'unclipped'))
     assert clipped > free
+
+
+def test_spans_of_a_poor_fit_are_closed_over_gaps_below_a_second():
+    t = np.arange(0.0, 10.0, 0.1)
+    poor = ((t > 0.95) & (t < 2.05)) | ((t > 2.75) & (t < 3.05)) | (t > 8.95)
+    assert published.windows(t, poor) == [(1.0, 3.0), (9.0, 9.9)]
+    assert published.windows(t, t < 0.0) == []
 
 
 @pytest.mark.slow

@@ -13,9 +13,9 @@ the baseline could be known better.
 Table 1 of the paper is lost, and with it the start. `starts` draws starts at random, plans each and
 flies it open loop, to see whether any gives what was published and the default start does not: a
 pitch error of 0.2 rad at the end, a greatest pitch of 0.2322 rad, the greatest sight angle near
-52 s. `search` does not draw them but looks for them: from the best of a third of as many draws it goes
-on in random steps, shorter after each failure and longer after each success, towards all of the
-published numbers at once. What it finds is fitted, and no evidence for the start of the paper.
+52 s. `search` does not draw them but looks for them: from the best of a third of as many draws it
+goes on in random steps, shorter after each failure and longer after each success, towards all of
+the published numbers at once. What it finds is fitted, and no evidence for the start of the paper.
 
 `baseline` estimates the error of the baseline by what is measured anyway. Motion across the sight
 is known from the commands, and seen as an angle: their quotient is the range. Of
@@ -159,7 +159,7 @@ MOST = np.array([1.4, 0.15, 0.15, *[0.1]*3, *[0.02]*3])
 
 
 def judged(orbit: OrbitParams, start: NDArray) -> tuple[float, NDArray, NDArray]:
-    """Return how far from published the open loop of a start (9,) ends, its numbers, its attitude."""
+    """Return how far from published an open loop from a start (9,) ends, numbers, attitude."""
     task = replace(ApproachParams(), speed_m_s=float(start[0]), lateral_m_s=tuple(start[1:3]),
                    attitude_rad=tuple(start[3:6]), rate_rad_s=tuple(start[6:]))
     try:

@@ -55,8 +55,8 @@ class GroundParams:
         high=10.0)
     least_s: float = param(30.0, 'Least duration of such a plan [s].', above=0.0, high=3600.0)
     replan_m: float = param(
-        0.0, 'Distance of the gripper from its plan, as the telemetry tells it, from which on it is '
-        'planned for anew in flight [m]; 0: never.', low=0.0, high=1000.0)
+        0.0, 'Distance of the gripper from its plan, as the telemetry tells it, from which on it '
+        'is planned for anew in flight [m]; 0: never.', low=0.0, high=1000.0)
 
 
 def tracker(scenario: Scenario) -> TrackerParams:
