@@ -223,6 +223,41 @@ def test_where_there_is_no_plan_in_flight_the_one_before_is_flown_on(monkeypatch
     assert batch.columns['plans'][0] == 1 and batch.verdict.reason[0] == 'arrived'
 
 
+def prepared():
+    return load(ROOT / 'scenarios' / 'tether_delay.yaml').with_values('/**', **SHORT).part(
+        'preparation')
+
+
+def test_a_plan_in_flight_begins_within_the_bounds_of_its_angles():
+    """0.1 rad each; the target is 40 m on along x."""
+    start = np.array([1.0, 0.0, 0.0, *np.zeros(9)])
+    assert prepared().within(start, 0.0)
+    for at, least, most in ((7, 0.09, 0.097), (8, -0.09, -0.097), (1, 3.6, 3.95), (2, -3.6, -3.95)):
+        inside, outside = start.copy(), start.copy()
+        inside[at], outside[at] = least, most
+        assert prepared().within(inside, 0.0) and not prepared().within(outside, 0.0)
+
+
+def test_a_plan_in_flight_that_rolls_out_of_the_reach_of_the_law_is_refused(monkeypatch):
+    from rvd_missions.tether_delay import planning
+    states, asked = np.zeros((14, 12)), []
+    states[:, 0] = np.linspace(1.0, 21.0, 14)
+    before = planning.Plan(5.0, 35.0, states, np.full((12, 7), 0.5))
+    rolls = planning.Plan(12.0, 35.0, states.copy(), before.controls)
+
+    def solve(*given, guess):
+        asked.append((*given, guess))
+        return rolls
+    monkeypatch.setattr(planning.optimum, 'solver', lambda *_: SimpleNamespace(solve=solve))
+    assert prepared().in_flight(before.state_at(12.0), 12.0, before) is rolls
+    rolls.states[6, 6] = 0.6
+    with pytest.raises(BadInput, match='roll by at most 0.5 rad, and rolls by 0.6'):
+        prepared().in_flight(before.state_at(12.0), 12.0, before)
+    _, _, duration, begin, guess = asked[0]
+    assert duration == (23.0, 23.0) and begin == 12.0           # to the end of the plan before
+    assert_allclose(guess.states, before.state_at(guess.state_s), atol=1e-12)   # what is left of it
+
+
 def test_a_hold_after_a_new_plan_in_flight_still_stands_and_is_planned_on_from():
     batch = flown(shared={**ANEW, 'timeout_s': 90.0}, gripper_dynamics=FAST,
                   flight_director={**DIRECTOR, 'hold_range_m': 28.0})
