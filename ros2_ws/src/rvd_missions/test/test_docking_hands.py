@@ -462,6 +462,15 @@ def test_a_thruster_across_that_sticks_open_near_the_port_ends_in_a_retreat():
     assert distance.min() > 0.03 and 2.9 < distance[-1] and distance.max() < 3.15
 
 
+def test_a_couple_that_sticks_open_is_known_by_what_its_loop_demands():
+    """8 of 16 N m: half of the time on; 30 s ln(0.5/0.3) later, with all bounds kept, it retreats."""
+    distance, speed, state, brake = stuck(13, 12.0, 32.0, -3.35, 20.0, 0.02, 0.01)
+    begin = int(np.flatnonzero(state)[0])
+    assert begin == pytest.approx(1200 + 1532, abs=150) and np.all(state[begin:] == RETREAT)
+    assert distance[begin:].min() > 0.03 and speed[-1] == pytest.approx(-0.1, abs=0.02)
+    assert brake[begin:].max() > 0.8
+
+
 def test_a_thruster_ahead_that_sticks_open_before_the_port_ends_in_an_abort():
     """20 N ahead: too fast at 4 cm; J4 takes it out, and the faces never meet."""
     distance, speed, state, brake = stuck(1, 16.0, 28.0, -3.5, 24.0, 0.03, 0.02)

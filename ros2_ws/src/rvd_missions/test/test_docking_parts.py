@@ -66,13 +66,13 @@ def test_a_way_that_the_speeds_cannot_go_is_refused_with_what_they_can():
 # -- safety ---------------------------------------------------------------------------------------
 
 def state_after(seconds=0.05, t=0.0, port=(-3.0, 0.2, 0.15), speed=0.0, turn=(0, 0, 0),
-                rate=(0, 0, 0), nis=(1.0, 1.0), params=SafetyParams()):
+                rate=(0, 0, 0), nis=(1.0, 1.0), demand=(0,)*6, params=SafetyParams()):
     """Return the state after some time of one situation."""
     safety = Safety(params, 0.01, 1)
     for k in range(round(seconds/0.01)):
         found = safety.advance(t + 0.01*k, np.array([port], dtype=float), np.array([speed]),
                                np.array([turn], dtype=float), np.array([rate], dtype=float),
-                               np.array([nis], dtype=float))
+                               np.array([nis], dtype=float), np.array([demand], dtype=float))
     return int(found[0])
 
 
@@ -92,6 +92,11 @@ def state_after(seconds=0.05, t=0.0, port=(-3.0, 0.2, 0.15), speed=0.0, turn=(0,
     ({'nis': (np.nan, np.nan), 'seconds': 2.1}, HOLD),
     ({'nis': (50.0, 1.0), 'seconds': 0.04}, NOMINAL),
     ({'nis': (50.0, 1.0), 'seconds': 0.06}, HOLD),
+    ({'demand': (0.5, 0, 0, 0, 0, 0), 'seconds': 15.2}, NOMINAL),       # 30 s ln(5/3) = 15.3 s
+    ({'demand': (0.5, 0, 0, 0, 0, 0), 'seconds': 15.4}, HOLD),
+    ({'demand': (0, 0, 0, 0, 0, -1), 'seconds': 6.6, 'port': (-0.2, 0.0, 0.0)}, NOMINAL),
+    ({'demand': (0, 0, 0, 0, 0, -1), 'seconds': 6.8, 'port': (-0.2, 0.0, 0.0)}, RETREAT),
+    ({'demand': (0.19,)*6, 'seconds': 300.0}, NOMINAL),
     ({'port': (np.nan,)*3, 'nis': (np.nan, np.nan), 'seconds': 5.0}, NOMINAL),
     ({'port': (-3.0, 1.2, 0.0), 'params': SafetyParams(active=False)}, NOMINAL)])
 def test_states_follow_the_rules(situation, expected):

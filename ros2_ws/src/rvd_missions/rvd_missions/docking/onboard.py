@@ -148,6 +148,7 @@ class Controller:
         self._safety = Safety(s.safety, run.step_s, count)
         self._profile: Profile | None = None
         self._began, self._held = 0.0, np.full((count, 3), np.nan)
+        self._demand = np.zeros((count, 6))     # of the step before
 
     def step(self, k: int, estimate: Any, control: Control) -> dict[str, Any]:
         """Return valves and guidance of step k."""
@@ -158,10 +159,10 @@ class Controller:
         port, spin = compiled().estimated(r, q, rate, self._n, markers.CHASER_PORT,
                                           markers.TARGET_PORT)     # spin: relative to the target
         turn = attitude.rotation_vector(q)
-        state = self._safety.advance(t, port, v[:, 0], turn, spin, nis)
+        state = self._safety.advance(t, port, v[:, 0], turn, spin, nis, self._demand)
         wanted, speed = self._reference(t, r, state)
         error, change = compiled().errors(r, v, q, turn, spin, wanted, speed)
-        demand = self._loops.step(error, change)
+        demand = self._demand = self._loops.step(error, change)
         valves = self._shares.open(self._allocated(demand))
         backing = (state == RETREAT) & (demand[:, 0] < 0.0)
         valves = valves | (backing[:, None] & self._brake)

@@ -104,26 +104,32 @@ def profile(t, start, ends, speeds, gone, left, slope):
 
 
 @compiled
-def watch(state, blind, odd, port, speed, turn, rate, nis, bounds, rate_bound, views, step, active):
+def watch(state, blind, odd, mean, port, speed, turn, rate, nis, demand, bounds, rate_bound, views,
+          step, share, active):
     """Advance the states of `safety.Safety` in place; comparisons with NaN are false."""
-    slope, near, aside, stop, brake, least, angle, lost, most_nis = bounds
+    slope, near, aside, stop, brake, least, angle, lost, most_nis, most_mean = bounds
     for i in range(len(state)):
         known, seen = np.isfinite(port[i, 0]), np.isfinite(nis[i, 0])
         blind[i] = 0.0 if seen or not known else blind[i] + step
         if seen:
             odd[i] = odd[i] + 1 if nis[i, 0] > most_nis or nis[i, 1] > most_nis else 0
+        stuck = False
+        for j in range(6):
+            if np.isfinite(demand[i, j]):
+                mean[i, j] += share*(demand[i, j] - mean[i, j])
+            stuck = stuck or abs(mean[i, j]) > most_mean
         if not known or not active:
             continue
         distance = -port[i, 0]
         across = np.sqrt(port[i, 1]*port[i, 1] + port[i, 2]*port[i, 2])
         far = distance > near
         wanted = NOMINAL
-        if (far and across > slope*distance) or blind[i] > lost or odd[i] >= views:
+        if (far and across > slope*distance) or blind[i] > lost or odd[i] >= views or stuck:
             wanted = HOLD
         for j in range(3):
             if abs(turn[i, j]) > angle or abs(rate[i, j]) > rate_bound:
                 wanted = HOLD
-        if not far and across > aside:
+        if not far and (across > aside or stuck):
             wanted = RETREAT
         if speed[i] > max(least, np.sqrt(2.0*brake*max(distance - stop, 0.0))):
             wanted = ABORT

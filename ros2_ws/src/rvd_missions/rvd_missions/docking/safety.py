@@ -4,8 +4,9 @@ When the craft stops, backs away, or flees: the safety strategy on board.
 States are ordered, NOMINAL < HOLD < RETREAT < ABORT, and only rise, unless an operator resumes.
 Source: An, Qu, Wang 2015, section 2.5, has the concept alone; rules and numbers are assumed.
 
-    HOLD      out of the cone, attitude or rate too large, camera lost, innovations too large
-    RETREAT   near the port and too far aside
+    HOLD      out of the cone, attitude or rate too large, camera lost, innovations too large, or a
+              loop that pushes one way all the time: a thruster is stuck
+    RETREAT   near the port and too far aside, or with a thruster that is stuck
     ABORT     too fast to stop before the faces meet
 """
 
@@ -44,6 +45,9 @@ class SafetyParams:
     nis: float = param(30.0, 'Normalised innovation squared of three numbers that is borne.',
                        above=0.0, high=1e9)
     nis_views: int = param(5, 'Views in a row above it that are not.', low=1, high=1000)
+    steady: float = param(0.2, 'Mean of what a loop demands, as a fraction of full thrust, above '
+                          'which a thruster is taken to be stuck.', above=0.0, high=10.0)
+    steady_s: float = param(30.0, 'Time constant of that mean [s].', above=0.0, high=86400.0)
 
 
 class Safety:
@@ -54,10 +58,11 @@ class Safety:
         self.state = np.zeros(rows, dtype=np.uint8)
         self._blind = np.zeros(rows)
         self._odd = np.zeros(rows, dtype=np.int64)
+        self._mean, self._nothing = np.zeros((rows, 6)), np.zeros((rows, 6))
         s = settings
         self._bounds = (np.tan(np.radians(s.cone_deg)), s.near_m, s.near_lateral_m, s.stop_m,
                         s.brake_m_s2, s.least_speed_m_s, np.radians(s.attitude_deg), s.lost_s,
-                        s.nis)
+                        s.nis, s.steady)
 
     def resume(self, rows: NDArray[np.bool_]) -> None:
         """Go back to NOMINAL in rows (N,) that hold or retreat; an ABORT stays one."""
@@ -65,9 +70,10 @@ class Safety:
         self.state = np.where(back, NOMINAL, self.state).astype(np.uint8)
         self._blind = np.where(back, 0.0, self._blind)
         self._odd = np.where(back, 0, self._odd)
+        self._mean = np.where(back[:, np.newaxis], 0.0, self._mean)
 
     def advance(self, t: float, port: NDArray, speed: NDArray, turn: NDArray, rate: NDArray,
-                nis: NDArray) -> NDArray[np.uint8]:
+                nis: NDArray, demand: NDArray | None = None) -> NDArray[np.uint8]:
         """
         Return the states after what is known at `t` [s].
 
@@ -79,9 +85,13 @@ class Safety:
             Along x, closing positive [m/s].
         nis : ndarray, shape (N, 2)
             NaN where no pose came.
+        demand : ndarray, shape (N, 6), optional
+            What the loops demanded in the step before, -1 to 1; nothing by default.
         """
         s = self._settings
         rate_bound = np.radians(s.rate_deg_s if t < s.settling_s else s.late_rate_deg_s)
-        compiled().watch(self.state, self._blind, self._odd, port, speed, turn, rate, nis,
-                         self._bounds, rate_bound, s.nis_views, self._step_s, s.active)
+        demand = self._nothing if demand is None else demand
+        compiled().watch(self.state, self._blind, self._odd, self._mean, port, speed, turn, rate,
+                         nis, demand, self._bounds, rate_bound, s.nis_views, self._step_s,
+                         self._step_s/s.steady_s, s.active)
         return self.state
