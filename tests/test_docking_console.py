@@ -158,6 +158,11 @@ def test_keys_and_a_gamepad_move_two_hand_controllers(browser):
         page.evaluate('pad.buttons[4] = {pressed: false, value: 0}')
         assert said() == {'/joy/translation': ([0.0]*3, [0, 0, 0]),
                           '/joy/rotation': ([0.0]*3, [0, 0])}
+        console.hub.post('event', {
+            't': 1.0, 'node': 'docking_controller', 'code': 'STICK_LOST',
+            'text': '/joy/rotation does not count: dead-man button 0 is not held'})
+        until(page, "document.querySelector('#event').textContent.includes('dead-man is open')")
+        assert 'button' not in page.inner_text('#event')            # keys have none
         assert page.problems == []
         page.close()
     finally:
