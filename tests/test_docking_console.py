@@ -1,22 +1,31 @@
-"""The mission docking in a browser: its panels in a flight, its forms, its two hand controllers."""
+"""The mission docking in a browser: its panels in a flight, its forms, a flight by hand."""
 
 import asyncio
 from dataclasses import replace
 import re
 
+import numpy as np
 import pytest
 from console_page import Console, open_page, serious, until
+from runs import messages
 from toy_console import ToyConsole
 
+from rvd_dynamics.diagram.in_process import fly
 from rvd_dynamics.diagram.scenario import parse
+from rvd_dynamics.recording.reader import read
 from rvd_groundstation.console.provider import facts_of
 from rvd_missions.docking.display import DockingDisplay
+from rvd_missions.docking.signals import TRUTH
 
 pytestmark = pytest.mark.slow
 SCENARIO = '''
 /**: {ros__parameters: {mission: docking, timeout_s: 60.0, limits: {from_s: 0.5},
                         pace: lockstep, processes: one}}
 onboard_guard: {ros__parameters: {abort_burn_s: 2.0}}
+'''
+BY_HAND = '''
+/**: {ros__parameters: {mission: docking, steering: aboard, operator: model, timeout_s: 60.0,
+                        limits: {from_s: 0.5}, seeing: {camera: simple}, processes: segments}}
 '''
 PAD = '''
 (() => {
@@ -149,7 +158,57 @@ def test_keys_and_a_gamepad_move_two_hand_controllers(browser):
         page.evaluate('pad.buttons[4] = {pressed: false, value: 0}')
         assert said() == {'/joy/translation': ([0.0]*3, [0, 0, 0]),
                           '/joy/rotation': ([0.0]*3, [0, 0])}
+        console.hub.post('event', {
+            't': 1.0, 'node': 'docking_controller', 'code': 'STICK_LOST',
+            'text': '/joy/rotation does not count: dead-man button 0 is not held'})
+        until(page, "document.querySelector('#event').textContent.includes('dead-man is open')")
+        assert 'button' not in page.inner_text('#event')            # keys have none
         assert page.problems == []
         page.close()
     finally:
         console.close()
+
+
+def test_keys_and_a_gamepad_fly_the_craft_by_both_hand_controllers(browser, tmp_path):
+    """The whole way: page, server, both Joys, graph; the truth in the bag has what was asked."""
+    (tmp_path / 'by_hand.yaml').write_text(BY_HAND)
+    fly(parse(BY_HAND.replace('60.0', '0.6'), 'test'), [0])     # compiles
+    console = Console(tmp_path, 'by_hand.yaml', '--seed', '1', '--pace', '1')
+    try:
+        page = open_page(browser, console, look='plain')
+        page.keyboard.press('t')
+        until(page, "rvd.store.status.lease === 'you'")
+        page.keyboard.press('n')
+        page.click('#new-start')
+        until(page, 'rvd.store.frame?.t > 0.5')
+        rate = 'rvd.store.frame.signals.derived.parts.rates'        # as navigation has it [deg/s]
+        page.keyboard.press('3')                # full deflection
+        keys = ('c', 'd', 'ArrowUp')            # to the right, by rates; nose up
+        for key in keys:
+            page.keyboard.down(key)
+        until(page, f'{rate}[1] > 0.2', 20.0)                       # of 0.3
+        for key in keys:
+            page.keyboard.up(key)
+        page.evaluate(PAD)
+        page.evaluate('pad.buttons[4] = {pressed: true, value: 1}')             # the dead-man
+        page.wait_for_timeout(150)
+        by_keys = page.evaluate('rvd.store.frame.t')
+        page.evaluate('''pad.buttons[5] = {pressed: true, value: 1};
+                         pad.axes[0] = -1; pad.axes[2] = -1''')     # left; nose left
+        until(page, f'{rate}[2] < -0.2', 20.0)
+        run = console.folder / 'runs' / page.evaluate('rvd.store.status.run')
+        page.evaluate("(() => { rvd.link.ask({ do: 'stop' }); })()")
+        until(page, "rvd.store.status.phase === 'ended'")
+        assert page.problems == []
+        page.close()
+    finally:
+        console.close()
+    truth, end = read(run).of(TRUTH), round(by_keys/0.01)
+    speed, turn = truth['velocity'][:, 1], np.degrees(truth['rate'] - truth['rate'][0])
+    assert np.abs(speed[:50]).max() < 1e-3                          # [m/s] before it is steered
+    assert speed[:end].max() > 0.01 and turn[:end, 1].max() > 0.12
+    assert speed[end:].min() < speed[:end].max() - 0.01 and turn[end:, 2].min() < -0.12
+    assert turn[:end, 2].min() > -0.1                               # the keys did not ask for it
+    for topic, axis in (('/joy/translation', 1), ('/joy/rotation', 1), ('/joy/rotation', 2)):
+        axes = np.array([m.axes for m in messages(run, topic)])
+        assert np.abs(axes[:, axis]).max() == 1.0, topic

@@ -16,7 +16,7 @@ function options(strip, width, height, rem) {
     font: `${0.68 * rem}px system-ui`, size: 2.3 * rem };
   const dashed = { stroke: '#ffb65290', width: 1, dash: [4, 4], points: { show: false } };
   return {
-    width, height, legend: { show: false }, cursor: { show: false }, padding: [rem * 0.3, rem * 0.4, 0, 0],
+    width, height, legend: { show: false }, cursor: { show: false }, padding: [rem * (strip.names.length ? 0.95 : 0.3), rem * 0.4, 0, 0],
     hooks: { draw: [(u) => mark(u, strip, rem)] },
     scales: { x: { time: false }, y: { range: (u, low, high) => {
       if (!strip.centred) return around([low, high, ...strip.levels], strip.least);
@@ -37,7 +37,7 @@ function around(numbers, least) {
   return [low - more, high + more];
 }
 
-// The levels of a strip, and the names of its curves in their colours.
+// The levels of a strip, and over it the names of its curves in their colours.
 function mark(u, strip, rem) {
   const pen = u.ctx;
   const ratio = devicePixelRatio || 1;
@@ -51,12 +51,12 @@ function mark(u, strip, rem) {
     pen.beginPath(); pen.moveTo(left, y); pen.lineTo(left + width, y); pen.stroke();
   }
   pen.font = `${0.68 * rem * ratio}px system-ui`;
-  pen.textBaseline = 'top';
+  pen.textBaseline = 'bottom';
   pen.textAlign = 'right';
   let x = left + width - 0.3 * rem * ratio;
   for (let i = strip.names.length - 1; i >= 0; i -= 1) {
     pen.fillStyle = colourOf(strip, i);
-    pen.fillText(strip.names[i], x, top + 0.15 * rem * ratio);
+    pen.fillText(strip.names[i], x, top - 0.1 * rem * ratio);
     x -= pen.measureText(strip.names[i]).width + 0.7 * rem * ratio;
   }
   pen.restore();

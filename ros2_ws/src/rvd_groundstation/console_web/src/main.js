@@ -60,9 +60,14 @@ function take(message) {
     shownVerdict = message;
     dialogs.verdict(message, store.can.fly && store.status.lease === 'you', () => newRun());
   }
-  if (message.type === 'event') $('event').textContent = `${number(message.t, 1)} s · ${message.text}`;
+  if (message.type === 'event') $('event').textContent = `${number(message.t, 1)} s · ${eventWords(message)}`;
   if (message.type === 'reply' && !message.ok) $('event').textContent = message.code ? dialogs.refused(message.code) : message.text;
   if (!message.type) showStatus();
+}
+
+// Of the stick that this page publishes a node knows a Joy and its buttons; a pilot does not.
+function eventWords({ code, text }) {
+  return (store.run?.operator === 'console' && S.stick_events[code]) || text;
 }
 
 function refreshRun() {

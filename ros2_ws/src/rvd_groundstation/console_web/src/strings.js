@@ -19,6 +19,7 @@ export const S = {
   take: 'Take the stick', drop: 'Release the stick', taken: 'Another page has the stick',
   stick_yours: 'You have the stick', stick_held: 'stick live', stick_open: 'DEAD-MAN OPEN: automatic alone flies',
   stick_watch: 'watching', stick_none: 'you are in charge', keyboard: 'keyboard', gamepad: 'gamepad',
+  stick_events: { STICK_LOST: 'nobody holds the stick, or the dead-man is open', STICK: 'the stick counts' },
   pages_one: '1 page', pages: '{n} pages', of: 'of',
   socket_open: 'connected', socket_closed: 'NOT CONNECTED',
   idle: 'Ready', idle_text: 'Take the stick (T), then start a run (N).', starting: 'The graph is coming up…',
