@@ -1,4 +1,4 @@
-"""How fast a whole flight over DDS is in lock step, and how well one in real time keeps the pace."""
+"""How fast a flight over DDS is in lock step, and how well one in real time keeps the pace."""
 
 import re
 import subprocess

@@ -1,9 +1,9 @@
 """
 Before a run in real time, each process flies the beginning of it by itself.
 
-What is loaded, compiled or built at a first use (compiled loops, solvers, OpenCV) is then there when
-the clock starts; else a second of steps is late. All of the diagram is flown, since the blocks of
-one process live on what the others give.
+What is loaded, compiled or built at a first use (compiled loops, solvers, OpenCV) is then there
+when the clock starts; else a second of steps is late. All of the diagram is flown, since the blocks
+of one process live on what the others give.
 """
 
 from rvd_dynamics.diagram.in_process import draw, Loop
