@@ -59,7 +59,7 @@ class HandController(Controller):
         spin = rate + self._n*attitude.matrix(q)[:, 1]          # relative to the target
         self._safety.resume(wish.resume & (self._state > NOMINAL))
         state = self._safety.advance(k*self._run.step_s, port, v[:, 0],
-                                     attitude.rotation_vector(q), spin, nis, self._demand)
+                                     attitude.rotation_vector(q), spin, nis, self._pushed)
         speed, turning, drifts = self._follow(r, q, wish, state)
         away = attitude.rotate_back(q, self._place - r)
         lean = attitude.rotation_vector(attitude.multiply(attitude.conjugate(self._turn), q))
@@ -67,8 +67,7 @@ class HandController(Controller):
                                 np.where(drifts[:, 1:], np.nan, -lean)], axis=-1)
         change = np.concatenate([attitude.rotate_back(q, speed - v), turning - spin], axis=-1)
         demand = self._loops.step(error, change)
-        demand = np.where(np.repeat(drifts, 3, axis=-1), wish.push, demand).astype(float)
-        self._demand = demand
+        demand = np.where(np.repeat(drifts, 3, axis=-1), wish.push, demand)
         valves = self._shares.open(self._allocated(demand))
         backing = (state == RETREAT) & (demand[:, 0] < 0.0)
         valves = valves | (backing[:, None] & self._brake)

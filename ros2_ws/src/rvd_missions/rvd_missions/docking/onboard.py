@@ -148,7 +148,8 @@ class Controller:
         self._safety = Safety(s.safety, run.step_s, count)
         self._profile: Profile | None = None
         self._began, self._held = 0.0, np.full((count, 3), np.nan)
-        self._demand = np.zeros((count, 6))     # of the step before
+        self._nominal = np.ascontiguousarray(form.thrusters.nominal)
+        self._pushed = np.zeros((count, 6))     # in the step before, of the authority
 
     def step(self, k: int, estimate: Any, control: Control) -> dict[str, Any]:
         """Return valves and guidance of step k."""
@@ -159,10 +160,10 @@ class Controller:
         port, spin = compiled().estimated(r, q, rate, self._n, markers.CHASER_PORT,
                                           markers.TARGET_PORT)     # spin: relative to the target
         turn = attitude.rotation_vector(q)
-        state = self._safety.advance(t, port, v[:, 0], turn, spin, nis, self._demand)
+        state = self._safety.advance(t, port, v[:, 0], turn, spin, nis, self._pushed)
         wanted, speed = self._reference(t, r, state)
         error, change = compiled().errors(r, v, q, turn, spin, wanted, speed)
-        demand = self._demand = self._loops.step(error, change)
+        demand = self._loops.step(error, change)
         valves = self._shares.open(self._allocated(demand))
         backing = (state == RETREAT) & (demand[:, 0] < 0.0)
         valves = valves | (backing[:, None] & self._brake)
@@ -178,10 +179,12 @@ class Controller:
     def _allocated(self, demand: NDArray) -> NDArray:
         """Return how much of each thruster (N, T) answers demands (N, 6)."""
         if len(self._allocations) == 1:
-            return self._allocations[0][1](demand)
-        found = np.empty((len(demand), len(self._form.thrusters)))
-        for at, allocation in self._allocations:
-            found[at] = allocation(demand[at])
+            found = self._allocations[0][1](demand)
+        else:
+            found = np.empty((len(demand), len(self._form.thrusters)))
+            for at, allocation in self._allocations:
+                found[at] = allocation(demand[at])
+        self._pushed = compiled().wrench(found, self._nominal, AUTHORITY)
         return found
 
     def _reference(self, t: float, r: NDArray, state: NDArray) -> tuple[NDArray, NDArray]:

@@ -104,7 +104,19 @@ def profile(t, start, ends, speeds, gone, left, slope):
 
 
 @compiled
-def watch(state, blind, odd, mean, port, speed, turn, rate, nis, demand, bounds, rate_bound, views,
+def wrench(shares, nominal, authority):
+    """Return forces and torques (N, 6) of thrusters that are open (N, T) for a share of a step."""
+    made = np.zeros((len(shares), 6))
+    for i in range(len(shares)):
+        for t in range(shares.shape[1]):
+            if shares[i, t] != 0.0:
+                for j in range(6):
+                    made[i, j] += nominal[j, t]*shares[i, t]/authority[j]
+    return made
+
+
+@compiled
+def watch(state, blind, odd, mean, port, speed, turn, rate, nis, pushed, bounds, rate_bound, views,
           step, share, active):
     """Advance the states of `safety.Safety` in place; comparisons with NaN are false."""
     slope, near, aside, stop, brake, least, angle, lost, most_nis, most_mean = bounds
@@ -115,8 +127,7 @@ def watch(state, blind, odd, mean, port, speed, turn, rate, nis, demand, bounds,
             odd[i] = odd[i] + 1 if nis[i, 0] > most_nis or nis[i, 1] > most_nis else 0
         stuck = False
         for j in range(6):
-            if np.isfinite(demand[i, j]):
-                mean[i, j] += share*(demand[i, j] - mean[i, j])
+            mean[i, j] += share*(pushed[i, j] - mean[i, j])
             stuck = stuck or abs(mean[i, j]) > most_mean
         if not known or not active:
             continue

@@ -5,7 +5,7 @@ States are ordered, NOMINAL < HOLD < RETREAT < ABORT, and only rise, unless an o
 Source: An, Qu, Wang 2015, section 2.5, has the concept alone; rules and numbers are assumed.
 
     HOLD      out of the cone, attitude or rate too large, camera lost, innovations too large, or a
-              loop that pushes one way all the time: a thruster is stuck
+              force or torque that is wanted all the time: a thruster is stuck
     RETREAT   near the port and too far aside, or with a thruster that is stuck
     ABORT     too fast to stop before the faces meet
 """
@@ -45,8 +45,9 @@ class SafetyParams:
     nis: float = param(30.0, 'Normalised innovation squared of three numbers that is borne.',
                        above=0.0, high=1e9)
     nis_views: int = param(5, 'Views in a row above it that are not.', low=1, high=1000)
-    steady: float = param(0.2, 'Mean of what a loop demands, as a fraction of full thrust, above '
-                          'which a thruster is taken to be stuck.', above=0.0, high=10.0)
+    steady: float = param(
+        0.2, 'Mean force or torque that is commanded along an axis, as a fraction of full thrust, '
+        'above which a thruster is taken to be stuck.', above=0.0, high=10.0)
     steady_s: float = param(30.0, 'Time constant of that mean [s].', above=0.0, high=86400.0)
 
 
@@ -73,7 +74,7 @@ class Safety:
         self._mean = np.where(back[:, np.newaxis], 0.0, self._mean)
 
     def advance(self, t: float, port: NDArray, speed: NDArray, turn: NDArray, rate: NDArray,
-                nis: NDArray, demand: NDArray | None = None) -> NDArray[np.uint8]:
+                nis: NDArray, pushed: NDArray | None = None) -> NDArray[np.uint8]:
         """
         Return the states after what is known at `t` [s].
 
@@ -85,13 +86,13 @@ class Safety:
             Along x, closing positive [m/s].
         nis : ndarray, shape (N, 2)
             NaN where no pose came.
-        demand : ndarray, shape (N, 6), optional
-            What the loops demanded in the step before, -1 to 1; nothing by default.
+        pushed : ndarray, shape (N, 6), optional
+            Force and torque commanded in the step before, as fractions; nothing by default.
         """
         s = self._settings
         rate_bound = np.radians(s.rate_deg_s if t < s.settling_s else s.late_rate_deg_s)
-        demand = self._nothing if demand is None else demand
+        pushed = self._nothing if pushed is None else pushed
         compiled().watch(self.state, self._blind, self._odd, self._mean, port, speed, turn, rate,
-                         nis, demand, self._bounds, rate_bound, s.nis_views, self._step_s,
+                         nis, pushed, self._bounds, rate_bound, s.nis_views, self._step_s,
                          self._step_s/s.steady_s, s.active)
         return self.state
