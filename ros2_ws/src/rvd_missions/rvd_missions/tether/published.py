@@ -19,7 +19,6 @@ from numpy.typing import NDArray
 
 from rvd_dynamics.diagram.in_process import fly
 from rvd_dynamics.diagram.scenario import parse, Scenario
-from rvd_dynamics.recording.history import everything, of_history
 from rvd_dynamics.recording.recording import Recording
 from rvd_missions.tether import geometry
 from rvd_missions.tether.figures import direction, torque
@@ -32,6 +31,7 @@ POOR_N = 0.1                            # fit of the tension that counts as poor
 
 def flown(closed: bool) -> Recording:
     """Return the recording of a case."""
+    from rvd_dynamics.recording.history import everything, of_history       # looks up messages
     scenario = parse('/**: {ros__parameters: {mission: tether, step_s: 0.02, timeout_s: 100.0}}',
                      Path(__file__).stem).with_values('gripper_tracker', feedback=closed)
     return of_history(scenario, fly(scenario, [0], record=everything(scenario)))
