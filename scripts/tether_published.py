@@ -1,7 +1,7 @@
 """
 What ours give where the paper says something of its Figures 4 to 16: the numbers, figure by figure.
 
-    ./rvd shell python -m rvd_missions.tether.published
+    ./rvd shell python scripts/tether_published.py
 
 Case 1 is the scenario `tether_open_loop`, Figures 4 to 10; case 2 `tether`, Figures 11 to 16; both
 are flown in this process. The curves themselves are lost with the paper's images: what is compared
@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from rvd_dynamics.diagram.in_process import fly
 from rvd_dynamics.diagram.scenario import parse, Scenario
+from rvd_dynamics.recording.history import everything, of_history
 from rvd_dynamics.recording.recording import Recording
 from rvd_missions.tether import geometry
 from rvd_missions.tether.figures import direction, torque
@@ -31,7 +32,6 @@ POOR_N = 0.1                            # fit of the tension that counts as poor
 
 def flown(closed: bool) -> Recording:
     """Return the recording of a case."""
-    from rvd_dynamics.recording.history import everything, of_history       # looks up messages
     scenario = parse('/**: {ros__parameters: {mission: tether, step_s: 0.02, timeout_s: 100.0}}',
                      Path(__file__).stem).with_values('gripper_tracker', feedback=closed)
     return of_history(scenario, fly(scenario, [0], record=everything(scenario)))
