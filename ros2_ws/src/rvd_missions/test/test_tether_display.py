@@ -16,6 +16,7 @@ from rvd_groundstation.console.provider import display_of
 from rvd_missions.tether import geometry
 from rvd_missions.tether.figures import FIGURES
 from rvd_missions.tether.signals import SITUATION, TRUTH
+from rvd_missions.tether_delay.signals import ABORTED, BRAKING, FLYING, LATCHED, STANDING
 
 SCENARIO = load(Path(__file__).parents[4] / 'scenarios' / 'tether.yaml').with_values(
     '/**', step_s=0.1, timeout_s=20.0, approach__duration_s=[20.0, 20.0],
@@ -56,6 +57,24 @@ def test_the_display_is_data_and_draws_tether_sight_and_cone():
     assert_allclose(made['spot'], [0.0, angle/np.sqrt(5.0), 2.0*angle/np.sqrt(5.0)])
     assert made['margin'] == [f'{0.4 - angle:.2f} rad', False]
     assert display.derive({})['tether'] is None
+
+
+@pytest.mark.parametrize('doing, obeyed', [
+    (LATCHED, None), (FLYING, 'go'), (BRAKING, 'hold'), (STANDING, 'hold'), (ABORTED, None)])
+def test_behind_a_link_the_order_that_is_obeyed_is_told_by_what_the_gripper_does(doing, obeyed):
+    ordered = display_of(load(Path(__file__).parents[4] / 'scenarios' / 'tether_delay.yaml'))
+    assert encode(as_data(ordered.display))
+
+    def derived(ahead: float, plans: int) -> dict:
+        return ordered.derive({SITUATION.name: Sample(3, 3.0, True, {
+            'gripper': [10.0, 1.0, 0.0], 'target': [41.0, 0.0, -2.0], 'range': 31.0,
+            'attitude': [0.0, 0.0, 0.0, 1.0], 'doing': float(doing), 'ahead': ahead,
+            'plans': float(plans), 'refused': 0.0})})
+    made = derived(26.0, 1)
+    assert made['obeyed'] == obeyed and made['does'].index(1.0) == doing
+    assert made['plans'] == ['plan 1 \u00b7 an order given now acts at 26.0 m', False]
+    assert derived(31.0, 0)['plans'] == ['no plan yet', False]
+    assert ordered.derive({})['obeyed'] is None
 
 
 def test_a_review_shows_the_true_gripper_and_no_other_frame_does(flown):
