@@ -41,7 +41,7 @@ def order(page, key: str, shown: str) -> None:
 
 def test_hold_and_go_are_pressed_in_a_flight_and_stop_the_gripper_and_send_it_on(browser, tmp_path):
     chosen = load(ROOT / 'scenarios' / 'tether_delay.yaml').with_values('/**', **SHORT)
-    chosen = chosen.with_values('flight_director', go_s=0.0, hold_range_m=0.0)     # it orders nothing
+    chosen = chosen.with_values('flight_director', go_s=0.0, hold_range_m=0.0)   # orders nothing
     (tmp_path / 'short.yaml').write_text(chosen.dump())
     console = Console(tmp_path, 'short.yaml', '--pace', 'lockstep', '--seed', '5',
                       '--processes', 'segments')
