@@ -9,7 +9,8 @@ from types import SimpleNamespace
 
 import pytest
 from runs import (
-    alive, end, in_flight, messages, node_pid, pids_under, start_rvd, verdict_of, wait_for)
+    alive, end, in_flight, messages, node_pid, pids_under, rvd, start_rvd, verdict_of,
+    wait_for)
 
 from rvd_campaign.flight import fly
 from rvd_dynamics.recording.reader import read
@@ -106,6 +107,17 @@ def test_a_run_does_not_go_on_without_a_node_that_somebody_has_ended(name, flyin
     os.kill(node_pid(process.pid, name), signal.SIGTERM)
     assert process.wait(60.0) == 2
     assert f'{name} ended before the run was over' in (tmp_path / 'out').read_text()
+
+
+def test_what_only_a_node_can_refuse_is_told_in_one_line(tmp_path):
+    (tmp_path / 's.yaml').write_text("""
+/**: {ros__parameters: {mission: docking, panels: {mass_kg: 3000.0}}}
+""")
+    done = rvd('fly', 's.yaml', '--headless', '--processes', 'segments', cwd=tmp_path)
+    assert done.returncode == 2
+    said, = done.stderr.splitlines()
+    assert said.startswith('rvd fly: docking_dynamics: '), said
+    assert 'positive' in said
 
 
 def after_a_flight(monkeypatch, folder, spin):

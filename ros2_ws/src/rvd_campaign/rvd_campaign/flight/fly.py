@@ -217,7 +217,8 @@ class Flight:
         if problem is not None:
             self.problem = problem
             print(f'rvd fly: {problem}', file=sys.stderr)
-            print(f'rvd fly: logs are in {self._run_dir / "logs"}', file=sys.stderr)
+            if set(self._supervisor.failures().values()) != {EXIT_CANNOT}:      # that says it all
+                print(f'rvd fly: logs are in {self._run_dir / "logs"}', file=sys.stderr)
             return EXIT_FAULT if self._fault else EXIT_CANNOT
         last, links = self._outcome()
         judged = verdict.outcome(last, interrupted)
@@ -392,9 +393,12 @@ class Flight:
         parts = []
         for name, code in failures.items():
             words = self._supervisor.last_words(name)
+            if code == EXIT_CANNOT and words:   # bad input: the node has said which
+                parts.append(words)
+                continue
             how = f'was ended by signal {code - 128}' if code > 128 else f'ended with code {code}'
             parts.append(f'{name} {how}' + (f': {words}' if words else ''))
-        return '; '.join(parts)
+        return '; '.join(dict.fromkeys(parts))
 
     # -- what is shown --------------------------------------------------------------------
 

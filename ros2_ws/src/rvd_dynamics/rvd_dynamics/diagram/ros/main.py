@@ -79,7 +79,11 @@ def make(host: Host, names: tuple[str, ...]) -> None:
     for node in (*watchers, *blocks):           # the recorder hears what is said at the start
         node.connect()
     for node in blocks:
-        node.make()
+        try:
+            node.make()
+        except BadInput as error:
+            error.rvd_node = node               # whose settings they are
+            raise
 
 
 def _prepare(host: Host, names: tuple[str, ...]) -> None:
