@@ -17,7 +17,7 @@ from toy_mission import WANTED
 from rvd_dynamics.diagram import in_process
 from rvd_dynamics.diagram.block import held, now
 from rvd_dynamics.diagram.diagram import GROUPINGS
-from rvd_dynamics.diagram.ros import inputs
+from rvd_dynamics.diagram.ros import inputs, plant_node
 from rvd_dynamics.diagram.ros.codecs import Parts
 from rvd_dynamics.diagram.ros.inputs import HELD_FOR_S, HeldInput
 from rvd_dynamics.diagram.ros.host import Host, listen_for_the_end, run
@@ -277,6 +277,33 @@ def test_in_real_time_a_jump_fires_every_step_between(guard, monkeypatch):
         ('LATE', 'inputs missing at their step: 2 so far')]         # then from 10 on, from 100 on
     send(guard, 'measured', 4, state=[1.0, 2.0])
     assert given('guard', 5) == [1.0, 2.0, 0.5, 4.0]
+
+
+def test_in_real_time_the_world_waits_half_a_step_for_its_thrust_and_no_longer(monkeypatch):
+    clock = SimpleNamespace(now=0.0)
+    monkeypatch.setattr(plant_node, 'time', SimpleNamespace(monotonic=lambda: clock.now))
+    host = Host(arguments(toy_mission.scenario(pace='realtime')))
+    host.begun = True
+    make(host, ('plant',))
+    world = host.nodes['plant']
+    world._step_s, world._origin, world._ticked = 1.0, 0.0, 0.0
+
+    def fired(at):
+        clock.now, before = at, world.step
+        world._tick()
+        return list(range(before + 1, world.step + 1))
+    try:
+        assert fired(0.0) == [0] and fired(0.9) == []
+        assert fired(1.0) == [] and fired(1.3) == []        # due; its thrust is not here
+        send(world, 'thrust', 0, command=[0.1])
+        assert fired(1.4) == [1] and world.missing_count == 0
+        assert fired(2.4) == [] and fired(2.5) == [2] and world.missing_count == 1
+        send(world, 'thrust', 2, command=[0.2])             # of the next, in time
+        assert fired(2.9) == [] and fired(3.0) == [3] and world.missing_count == 1
+        assert fired(4.9) == [4] and fired(6.7) == [5, 6]   # behind: what is overdue, at once
+        assert world._late_s == pytest.approx([0.0, 0.4, 0.5, 0.0, 0.9, 1.7, 0.7])
+    finally:
+        world.destroy_node()
 
 
 def test_in_lock_step_nothing_fires_with_an_input_missing():

@@ -19,6 +19,7 @@ from rvd_dynamics.diagram.ros.wire import Layout
 from rvd_dynamics.diagram.roster import RECORDER, RECORDER_LEAD
 
 TICKS_PER_STEP = 8              # how often the wall clock is looked at in real time
+PATIENCE = 0.5                  # share of a step by which one may be late for want of its thrust
 STILL_S = 2.0                   # [s] wall time between two looks: this process did not run
 
 
@@ -27,7 +28,8 @@ class PlantNode(BlockNode):
     The true world; it owns `/clock`, the pacing and the end of the run.
 
     lockstep    step k+1 is made when the thrust of step k is here: as fast as the machine can.
-    realtime    step k is made at k * step_s / pace_factor of wall time, whatever has come.
+    realtime    step k is made at k * step_s / pace_factor of wall time; if the thrust of step k-1
+                is not here by then, when it comes, or half a step later without it.
     """
 
     def __init__(self, host: Host, block: Block) -> None:
@@ -136,11 +138,16 @@ class PlantNode(BlockNode):
         self._wake(now - self._ticked)
         until = now + SLICE_S                   # a plant that is behind hears the others, too
         while (not self._paused and not self.finished and not self._is_over()
-               and (due := self._origin + self._next * self._step_s) <= time.monotonic() < until):
-            self._late_s.append(time.monotonic() - due)
+               and (late := self._late()) >= 0.0 and time.monotonic() < until
+               and (late >= PATIENCE*self._step_s or all(g.there() for g in self._given))):
+            self._late_s.append(late)
             self.fire()
             self.host.work()                    # what of it is here fires before the next step
         self._ticked = time.monotonic()
+
+    def _late(self) -> float:
+        """Return for how long the next step has been due [s]; negative before."""
+        return time.monotonic() - self._origin - self._next * self._step_s
 
     def _pace_kept(self) -> str:
         """Say how well real time was kept: commands that were missing, and when steps were made."""
