@@ -6,18 +6,21 @@ when the clock starts; else a second of steps is late. All of the diagram is flo
 of one process live on what the others give.
 """
 
+from collections.abc import Callable
+
 from rvd_dynamics.diagram.in_process import draw, Loop
 from rvd_dynamics.diagram.scenario import Scenario
 
 REHEARSED_S = 3.0               # [s] simulation time
 
 
-def rehearse(scenario: Scenario) -> int:
+def rehearse(scenario: Scenario, goes_on: Callable[[], bool] = lambda: True) -> int:
     """
     Fly the first seconds of a scenario's own run, and forget them.
 
     A block that fails ends the rehearsal and nothing else: the process that runs it will say so.
-    What comes from outside of the run, as a stick's messages, is missing throughout.
+    What comes from outside of the run, as a stick's messages, is missing throughout. It ends early
+    when `goes_on()`, asked before each step, says no.
 
     Returns
     -------
@@ -29,7 +32,7 @@ def rehearse(scenario: Scenario) -> int:
     flown = 0
     try:
         loop = Loop(scenario, [run.run], draw(scenario, [run.run], whole=True), False, ())
-        while flown < steps and not loop.ended.all():
+        while flown < steps and not loop.ended.all() and goes_on():
             loop.advance(flown)
             flown += 1
     except Exception:               # noqa: B902 - see above

@@ -10,6 +10,8 @@ import gc
 import os
 import sys
 
+import rclpy
+
 from rvd_dynamics import lifeline
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.block import Block, Leg
@@ -38,7 +40,8 @@ def main() -> None:
     def make_all(host: Host) -> None:
         names = wanted(host, arguments)
         make(host, names)
-        if host.scenario.run.pace == 'realtime':
+        run_of = host.scenario.run
+        if run_of.pace == 'realtime' and run_of.processes != 'blocks':      # else a dozen would
             _prepare(host, names)
     run(make_all, arguments, sys.argv)
 
@@ -90,7 +93,7 @@ def _prepare(host: Host, names: tuple[str, ...]) -> None:
     """Get ready to keep the pace: nothing is left for later, and the ring goes before watchers."""
     in_ring = any(name in host.roster.blocks for name in names)
     if in_ring or MONITOR in names:
-        rehearse(host.scenario)
+        rehearse(host.scenario, rclpy.ok)
     if not in_ring:
         os.nice(NICE)
     gc.collect()
