@@ -16,7 +16,10 @@ REHEARSED_S = 3.0               # [s] simulation time
 
 def rehearse(scenario: Scenario, goes_on: Callable[[], bool] = lambda: True) -> int:
     """
-    Fly the first seconds of a scenario's own run, and forget them.
+    Fly the first seconds of the scenario's next run, and forget them.
+
+    Not of its own: the process of a controller is never to hold the truth or the chance that it
+    will meet.
 
     A block that fails ends the rehearsal and nothing else: the process that runs it will say so.
     What comes from outside of the run, as a stick's messages, is missing throughout. It ends early
@@ -27,15 +30,14 @@ def rehearse(scenario: Scenario, goes_on: Callable[[], bool] = lambda: True) -> 
     int
         How many steps were flown.
     """
-    run = scenario.run
+    run, runs = scenario.run, [scenario.run.run + 1]
     steps = min(run.last_step + 1, max(1, round(REHEARSED_S/run.step_s)))
     flown = 0
     try:
-        loop = Loop(scenario, [run.run], draw(scenario, [run.run], whole=True), False, ())
+        loop = Loop(scenario, runs, draw(scenario, runs, whole=True), False, ())
         while flown < steps and not loop.ended.all() and goes_on():
             loop.advance(flown)
             flown += 1
     except Exception:               # noqa: B902 - see above
-        pass
         pass
     return flown

@@ -1,5 +1,6 @@
 """The true world as a node: the clock, the pacing and the end of a run."""
 
+from array import array
 import time
 from typing import Any
 
@@ -38,7 +39,7 @@ class PlantNode(BlockNode):
         self._started_ns: int | None = None     # wall time
         self._recorded: int | None = None
         self._strangers: set[str] = set()       # runs that came into this one
-        self._late_s: list[float] = []          # in real time: wall time of a step after its due
+        self._late_s = array('d')               # in real time: wall time of steps after their due
         self._waiting_for = set(self.roster.names) - {
             e.name for e in self.roster.externals.values() if e.foreign}
         self._time, self._time_layout = self.writer('/clock', Clock), Layout(Clock)
