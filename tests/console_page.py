@@ -105,6 +105,16 @@ def until(page, condition: str, timeout: float = 60.0) -> None:
         page.wait_for_timeout(50)
 
 
+def stop(page, console: Console) -> Path:
+    """End the run from a page without troubles, and close it; return the run's folder."""
+    run = console.folder / 'runs' / page.evaluate('rvd.store.status.run')
+    page.evaluate("(() => { rvd.link.ask({ do: 'stop' }); })()")
+    until(page, "rvd.store.status.phase === 'ended'")
+    assert page.problems == []
+    page.close()
+    return run
+
+
 def open_page(browser, console: Console, look: str = '', **options):
     """
     Return a page that is connected; errors of its scripts are kept in `page.problems`.

@@ -6,7 +6,7 @@ import re
 
 import numpy as np
 import pytest
-from console_page import Console, open_page, serious, until
+from console_page import Console, open_page, serious, stop, until
 from runs import messages
 from toy_console import ToyConsole
 
@@ -196,11 +196,7 @@ def test_keys_and_a_gamepad_fly_the_craft_by_both_hand_controllers(browser, tmp_
         page.evaluate('''pad.buttons[5] = {pressed: true, value: 1};
                          pad.axes[0] = -1; pad.axes[2] = -1''')     # left; nose left
         until(page, f'{rate}[2] < -0.2', 20.0)
-        run = console.folder / 'runs' / page.evaluate('rvd.store.status.run')
-        page.evaluate("(() => { rvd.link.ask({ do: 'stop' }); })()")
-        until(page, "rvd.store.status.phase === 'ended'")
-        assert page.problems == []
-        page.close()
+        run = stop(page, console)
     finally:
         console.close()
     truth, end = read(run).of(TRUTH), round(by_keys/0.01)

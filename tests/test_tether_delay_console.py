@@ -4,7 +4,7 @@ from itertools import groupby
 
 import numpy as np
 import pytest
-from console_page import Console, open_page, until
+from console_page import Console, open_page, stop, until
 from runs import messages, ROOT
 
 from rvd_dynamics.diagram.scenario import load
@@ -75,11 +75,7 @@ def test_hold_and_go_are_pressed_in_a_flight_and_stop_the_gripper_and_send_it_on
         order(page, 'f', reads('on board', 'ground'))               # stands until there is a plan
         until(page, reads('', 'ground · on board'))
         until(page, f'{RANGE} < {stands} - 1')
-        run = console.folder / 'runs' / page.evaluate('rvd.store.status.run')
-        page.evaluate("(() => { rvd.link.ask({ do: 'stop' }); })()")
-        until(page, "rvd.store.status.phase === 'ended'")
-        assert page.problems == []
-        page.close()
+        run = stop(page, console)
     finally:
         console.close()
     recorded = read(run)
