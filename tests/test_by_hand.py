@@ -74,6 +74,18 @@ class Hand:
             assert time.monotonic() < deadline, what
             self.executor.spin_once(timeout_sec=0.1)
 
+    def until_still(self, heard, seconds=1.0):
+        """Wait until `seconds` of wall time go by without a message; return how many there are."""
+        count, since = len(heard), time.monotonic()
+
+        def still():
+            nonlocal count, since
+            if len(heard) != count:             # what was on its way, however slow this process is
+                count, since = len(heard), time.monotonic()
+            return time.monotonic() - since > seconds
+        self.until(still, 'it does not stand still', 20.0)
+        return count
+
     def close(self):
         for process in self.processes.values():
             if process.poll() is None:
@@ -164,14 +176,7 @@ def test_control_pauses_resumes_changes_the_mode_and_aborts(hand):
         return future.result()
 
     assert call(RunControl.Request.PAUSE).accepted
-    time.sleep(0.3)
-    hand.until(lambda: True, '')
-    for _ in range(20):
-        hand.executor.spin_once(timeout_sec=0.02)
-    at_pause = len(truth)
-    for _ in range(20):
-        hand.executor.spin_once(timeout_sec=0.05)
-    assert len(truth) == at_pause               # a second of wall time, no step
+    at_pause = hand.until_still(truth)
     assert call(RunControl.Request.RESUME).accepted
     hand.until(lambda: len(truth) > at_pause + 5, 'steps after the pause')
 

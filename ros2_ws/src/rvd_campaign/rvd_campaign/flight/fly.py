@@ -390,15 +390,15 @@ class Flight:
                        process.nodes))
 
     def _why(self, failures: dict[str, int]) -> str:
-        parts = []
+        parts = {}
         for name, code in failures.items():
             words = self._supervisor.last_words(name)
-            if code == EXIT_CANNOT and words:   # bad input: the node has said which
-                parts.append(words)
+            if code == EXIT_CANNOT and words:   # bad input: the node has said which,
+                parts.setdefault(words.partition(': ')[2], words)   # and two may refuse the same
                 continue
             how = f'was ended by signal {code - 128}' if code > 128 else f'ended with code {code}'
-            parts.append(f'{name} {how}' + (f': {words}' if words else ''))
-        return '; '.join(dict.fromkeys(parts))
+            parts[name] = f'{name} {how}' + (f': {words}' if words else '')
+        return '; '.join(parts.values())
 
     # -- what is shown --------------------------------------------------------------------
 

@@ -6,6 +6,8 @@ the link's two legs are one executable, run under the name of each. `block_group
 group:=NAME` starts all the nodes that share the process NAME when `processes` is not `blocks`.
 """
 
+from collections.abc import Iterator
+import contextlib
 import gc
 import os
 import sys
@@ -21,6 +23,7 @@ from rvd_dynamics.diagram.ros.block_node import BlockNode
 from rvd_dynamics.diagram.ros.firing import FiringNode
 from rvd_dynamics.diagram.ros.host import Host, run
 from rvd_dynamics.diagram.ros.leg_node import LegNode
+from rvd_dynamics.diagram.ros.node import RunNode
 from rvd_dynamics.diagram.ros.plant_node import PlantNode
 from rvd_dynamics.diagram.roster import GROUP_EXECUTABLE, MARKERS, MONITOR, RECORDER
 
@@ -80,13 +83,21 @@ def make(host: Host, names: tuple[str, ...]) -> None:
     blocks = [node_of(host, block) for block in host.roster.diagram.order if block.name in names]
     watchers = [_watcher(host, name) for name in names if name in host.roster.watchers]
     for node in (*watchers, *blocks):           # the recorder hears what is said at the start
-        node.connect()
+        with _named(node):
+            node.connect()
     for node in blocks:
-        try:
+        with _named(node):
             node.make()
-        except BadInput as error:
-            error.rvd_node = node               # whose settings they are
-            raise
+
+
+@contextlib.contextmanager
+def _named(node: RunNode) -> Iterator[None]:
+    """Let bad input carry the node whose settings they are."""
+    try:
+        yield
+    except BadInput as error:
+        error.rvd_node = node
+        raise
 
 
 def _prepare(host: Host, names: tuple[str, ...]) -> None:
