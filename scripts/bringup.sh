@@ -27,6 +27,7 @@ if ! [[ ":${AMENT_PREFIX_PATH:-}:" == *rvd_dynamics:* ]]; then      # workspace 
     exec "$here/../rvd" shell "$0" "$@"
 fi
 
+source "$here/network.sh"               # heard on this machine alone, unless somebody asks for more
 [ -r "$1" ] || { echo "bringup: cannot read the scenario $1" >&2; exit 2; }
 [ $# -ge 2 ] || { echo "bringup: the run folder is missing: bringup.sh SCENARIO RUN_DIR" >&2; exit 2; }
 scenario=$(realpath -- "$1"; echo .)

@@ -297,7 +297,7 @@ write_environment() {
         done
         echo 'unset PYTHONHOME PYTHONDONTWRITEBYTECODE    # without bytecode a start takes seconds'
         echo "export RVD_ROOT=${root@Q} VIRTUAL_ENV=${venv@Q}"
-        echo 'export ROS_AUTOMATIC_DISCOVERY_RANGE="${ROS_AUTOMATIC_DISCOVERY_RANGE:-LOCALHOST}"'
+        echo 'source "$RVD_ROOT/scripts/network.sh"'
         echo '# There are many small processes: linear-algebra threads would only get in their way.'
         echo 'export OPENBLAS_NUM_THREADS="${OPENBLAS_NUM_THREADS:-1}"'
         echo 'export OMP_NUM_THREADS="${OMP_NUM_THREADS:-1}"'

@@ -44,6 +44,7 @@ build_inputs() {
         files+=("$package"/{package.xml,CMakeLists.txt} "$package"/msg/*)
     done
     shopt -u nullglob
+    echo 'environment 2'                        # goes up when setup.sh writes another env.sh
     sha256sum "${files[@]}"
 }
 

@@ -125,6 +125,9 @@ def _add_fly(commands: argparse._SubParsersAction) -> None:
                      help='with --from: without DDS, only to check that the verdict is the same')
     fly.add_argument('--headless', action='store_true',
                      help='no live progress and no markers for viewers')
+    fly.add_argument('--network', action='store_true',
+                     help='let other machines reach the nodes: without it they are heard on this '
+                          'machine alone')
     console = fly.add_argument_group('with --operator console')
     console.add_argument('--port', type=int, metavar='N',
                          help='port of the page (default: 8480; 0: any free port)')
@@ -288,8 +291,9 @@ def _list(args: argparse.Namespace) -> int:
 
 
 def _stick(args: argparse.Namespace) -> int:
-    from rvd_campaign.flight import preflight
+    from rvd_campaign.flight import preflight, reach
     preflight.check()                           # before ROS is loaded, which may end the process
+    reach.settle()
     from rvd_campaign.flight import stick
     return stick.main(args)
 

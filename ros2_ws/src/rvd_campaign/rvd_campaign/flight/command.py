@@ -5,9 +5,10 @@
 import argparse
 
 from rvd_campaign.exits import CannotRun, EXIT_DONE, EXIT_FAILED
-from rvd_campaign.flight import fly, preflight, verdict
+from rvd_campaign.flight import fly, preflight, reach, verdict
 from rvd_campaign.flight.domain import reserved_domain
 from rvd_campaign.interrupts import all_like_ctrl_c
+from rvd_dynamics.bad_input import one_line
 
 
 CONSOLE = {'port': 8480, 'bind': '127.0.0.1', 'tls_cert': '', 'tls_key': '', 'session': None}
@@ -28,6 +29,9 @@ def main(args: argparse.Namespace) -> int:
     scenario.diagram                            # refused now if it must be
     fly.check_foreign(scenario)
     preflight.check()
+    open_to = reach.settle(args.network)
+    if open_to:
+        print(one_line(open_to), flush=True)
     if _for_the_console(args, 'console' in (args.operator, fly.operator_of(scenario))):
         from rvd_campaign.flight import console
         return console.main(args, scenario)

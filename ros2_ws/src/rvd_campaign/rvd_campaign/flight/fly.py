@@ -17,6 +17,7 @@ from typing import Any, Callable
 from rvd_campaign import catalogue
 from rvd_campaign.cpu import cpu_s
 from rvd_campaign.flight import verdict
+from rvd_dynamics.bad_input import one_line
 from rvd_dynamics.recording import drawing, reader
 from rvd_campaign.exits import (
     CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_FAILED, EXIT_FAULT, EXIT_INTERRUPTED)
@@ -193,7 +194,8 @@ class Flight:
                 threading.Thread(target=_load_the_report, daemon=True).start()
             os.environ['ROS_LOG_DIR'] = str(run_dir.resolve() / 'logs')     # and not ~/.ros
             from rvd_campaign.flight.watch import FlightWatch   # imports ROS while the nodes do
-            self._watch = FlightWatch(self._roster, domain, self._run_id)
+            self._watch = FlightWatch(self._roster, domain, self._run_id,
+                                      self._supervisor.verdict)
         except BaseException:                       # Ctrl-C, too
             self._supervisor.stop()
             raise
@@ -222,13 +224,22 @@ class Flight:
             return EXIT_FAULT if self._fault else EXIT_CANNOT
         last, links = self._outcome()
         judged = verdict.outcome(last, interrupted)
-        content = verdict.as_dict(judged, links, self._scenario)
+        from rvd_campaign.flight import second_opinion          # imports ROS, by now loaded
+        doubts, trust = second_opinion.asked(
+            self._run_dir, self._scenario, None if interrupted else last, self._watch.strangers)
+        content = verdict.as_dict(judged, links, self._scenario) | trust
         verdict.write(self._run_dir / 'verdict.json', content)
-        print(verdict.in_words(judged), flush=True)
+        if doubts:
+            self.problem = f'not to be trusted: {"; ".join(doubts)}'
+            print(f'rvd fly: {one_line(self.problem)}', file=sys.stderr, flush=True)
+        else:
+            print(verdict.in_words(judged), flush=True)
         if interrupted:
             return EXIT_INTERRUPTED
         from rvd_campaign.report.run import write_report        # takes a while, loaded meanwhile
         attempt(write_report, self._run_dir, self._run_dir / 'logs' / 'report.log')
+        if doubts:
+            return EXIT_CANNOT
         return EXIT_DONE if judged.success else EXIT_FAILED
 
     def _follow(self) -> str | None:
@@ -239,6 +250,10 @@ class Flight:
             begun += stopped_s
             if self._stop_asked():
                 raise KeyboardInterrupt
+            if self._watch.strangers:           # told in the end, with all that there were
+                self._watch.hear_of_strangers()
+                self._show()
+                return None
             if self._is_final(self._watch.verdict):
                 self._wait_for_the_nodes()
                 return None
@@ -328,7 +343,8 @@ class Flight:
         except ValueError:                      # no bag: ended before there was one
             last = dict.fromkeys(topics)
         judged = last['/run/verdict']
-        return (judged if self._is_final(judged) else self._watch.verdict or judged,
+        final = self._is_final(judged)          # told by the judge, or forged
+        return (self._watch.verdict or (None if final else judged),
                 {name: last[topic] for name, topic in links.items()})
 
     def _wait_for_the_nodes(self) -> None:
@@ -405,10 +421,10 @@ class Flight:
     def _show(self) -> None:
         for event in self._watch.new_events():
             self._end_line()
-            print(f'  {event.step * self._run.step_s:.1f} s {event.node}: {event.text}')
+            print(one_line(f'  {event.step * self._run.step_s:.1f} s {event.node}: {event.text}'))
         if self._headless:
             return
-        line = self._watch.line()
+        line = one_line(self._watch.line())
         if not self._watch.steps:
             line = f'starting: {len(self._watch.ready)} of {len(self._roster.names)} nodes ready'
         if sys.stdout.isatty():

@@ -9,7 +9,8 @@ import subprocess
 import threading
 from pathlib import Path
 
-from rvd_dynamics import lifeline
+from rvd_dynamics import lifeline, verdict_line
+from rvd_dynamics.bad_input import one_line
 from rvd_dynamics.diagram.roster import lines, Roster
 
 STOP_S = 15.0                   # [s] wall time the bring-up gets to end all; it asks for 13
@@ -30,14 +31,17 @@ class Supervisor:
         self.pids: dict[str, int] = {}
         self.codes: dict[str, int] = {}
         self._ended_by_us: set[str] = set()
+        self._line = verdict_line.VerdictLine()
         command = [str(bringup), str(scenario), str(run_dir)] + ['--headless'] * headless
         self._process = subprocess.Popen(
             command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-            text=True, start_new_session=True,
+            text=True, start_new_session=True, pass_fds=(self._line.writes,),
             preexec_fn=lambda: lifeline.die_with_parent(signal.SIGTERM), env={
                 **os.environ, 'ROS_DOMAIN_ID': str(domain),
                 'ROS_LOG_DIR': str(run_dir.resolve() / 'logs'),
+                verdict_line.VARIABLE: str(self._line.writes),
                 'RVD_PROCESSES': '\n'.join(lines(roster, str(run_dir.resolve()), run_id))})
+        self._line.handed_over()
         self._lines: queue.Queue[str] = queue.Queue()
         self._reader = threading.Thread(target=self._read, daemon=True)
         self._reader.start()
@@ -86,18 +90,22 @@ class Supervisor:
                 _signal(self.pids[name], signal.SIGTERM)
             self._ended_by_us |= left
 
+    def verdict(self) -> bytes | None:
+        """Return the final verdict as the judge's own process has told it, serialised."""
+        return self._line.heard()
+
     def complaint(self) -> str:
         """Return what the bring-up itself wrote to stderr."""
-        return self._process.stderr.read().strip()
+        return '\n'.join(map(one_line, self._process.stderr.read().strip().splitlines()))
 
     def last_words(self, name: str) -> str:
-        """Return the last line of a node's log."""
+        """Return the last line of a node's log; whatever it holds does nothing to a terminal."""
         try:
             text = (self.run_dir / 'logs' / f'{name}.log').read_text(errors='replace')
         except OSError:
             return ''
         lines = [line.strip() for line in text.splitlines() if line.strip()]
-        return lines[-1] if lines else ''
+        return one_line(lines[-1]) if lines else ''
 
     def stop(self) -> None:
         """End every process, the recorder last, and wait for them; what does not go is killed."""
@@ -113,6 +121,7 @@ class Supervisor:
             pass
         self._process.wait()
         self._reader.join(1.0)
+        self._line.close()
         self.poll()
 
 

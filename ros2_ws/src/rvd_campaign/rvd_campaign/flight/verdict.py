@@ -7,6 +7,7 @@ import math
 from pathlib import Path
 from typing import Any
 
+from rvd_dynamics.bad_input import one_line
 from rvd_dynamics.diagram import judge
 from rvd_dynamics.diagram.judge import from_message, Judgement
 from rvd_dynamics.diagram.scenario import Scenario
@@ -14,6 +15,7 @@ from rvd_dynamics.link.channel import LINK_COUNTS
 from rvd_dynamics.recording import whole
 
 INTERRUPTED = 'interrupted'             # reason of a flight that was stopped, and its words
+UNTRUSTED = 'untrusted'                 # reason of a flight whose verdict is not to be believed
 LINK_DELAYS = ('delay_p50', 'delay_p99', 'delay_max')
 
 
@@ -59,6 +61,24 @@ def as_dict(judged: Judgement, links: dict[str, Any], scenario: Scenario) -> dic
         'link': {name: link_dict(status) for name, status in links.items()}})
 
 
+def trust(doubts: list[str], bag_agrees: bool | None, why: str) -> dict[str, Any]:
+    """
+    Return what `verdict.json` says about whether it is to be believed.
+
+    Parameters
+    ----------
+    doubts : list of str
+        Sentences that say why it is not; then it is no success, whatever was told.
+    bag_agrees : bool or None
+        Whether the judge says the same over the truth in the bag; None: it could not be asked.
+    why : str
+        Why it does not agree, or could not be asked.
+    """
+    made: dict[str, Any] = {'trusted': not doubts, 'doubts': doubts, 'bag_agrees': bag_agrees,
+                            'bag_says': why}
+    return {'success': False, 'reason': UNTRUSTED, **made} if doubts else made
+
+
 def link_dict(status: Any) -> dict[str, Any]:
     """Return the counts and delays of one LinkStatus."""
     if status is None:
@@ -90,7 +110,9 @@ def read(path: Path) -> dict[str, Any]:
 def in_words(judged: Judgement) -> str:
     """Return how a flight went in a few lines."""
     if judged.reason != INTERRUPTED:
-        return judge.in_words(judged)
-    if math.isnan(judged.duration):
-        return judged.words
-    return judge.in_words(judged._replace(success=True))        # nobody failed
+        said = judge.in_words(judged)
+    elif math.isnan(judged.duration):
+        said = judged.words
+    else:
+        said = judge.in_words(judged._replace(success=True))    # nobody failed
+    return '\n'.join(map(one_line, said.split('\n')))          # words come from messages

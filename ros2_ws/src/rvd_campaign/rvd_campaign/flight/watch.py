@@ -5,6 +5,7 @@ It looks at the newest raw message of each topic some times a second and decodes
 it is shown, so that it does not slow the graph.
 """
 
+from collections.abc import Callable
 import math
 import time
 from typing import Any
@@ -22,10 +23,13 @@ from rvd_dynamics.diagram.judge import from_message
 from rvd_dynamics.diagram.ros import qos
 from rvd_dynamics.diagram.ros.conversions import ns_of
 from rvd_dynamics.diagram.ros.host import message_type
-from rvd_dynamics.diagram.roster import Roster
+from rvd_dynamics.diagram.ros.writers import Stranger, Writers
+from rvd_dynamics.diagram.roster import Roster, SECOND_WRITER
+from rvd_interfaces.msg import Verdict
 
 THRUST_COMMAND = 'rvd_interfaces/msg/ThrustCommand'
 SETTLE_S = 3.0                  # [s] wall time without news after which a look back is complete
+TELL_S = 1.0                    # [s] wall time in which the run itself says who is a stranger
 GLANCE_S = 0.05                 # [s] wall time between two looks at the flight
 DECIDES = {BY_NOBODY: 'nobody', BY_PILOT: 'pilot', BY_AUTO: 'auto', BY_GUARD: 'guard'}
 
@@ -42,8 +46,15 @@ def step_of(message: Any, step_ns: int) -> int:
 class FlightWatch:
     """Follows one run; `spin` it, then ask."""
 
-    def __init__(self, roster: Roster, domain: int, run_id: str) -> None:
-        self._run_id = run_id
+    def __init__(self, roster: Roster, domain: int, run_id: str,
+                 told: Callable[[], bytes | None] = lambda: None) -> None:
+        """
+        Join the domain of a run.
+
+        `told`: returns the final verdict, serialised, as the judge's process has told it by a line
+        of its own; None until it has. What is on /run/verdict anybody may have written.
+        """
+        self._run_id, self._told = run_id, told
         self._roster, self._run = roster, roster.scenario.run
         self._held = roster.scenario.has_shared('joy_input') and \
             roster.scenario.part('operation').joy_input == 'held'
@@ -63,8 +74,13 @@ class FlightWatch:
         self._raw: dict[str, bytes] = {}
         self.ready: set[str] = set()
         self.paused = False
-        self._verdict = None
+        self._verdict, self._final = None, None
         self._events: list[Any] = []
+        self.strangers: list[Stranger] = []     # who wrote where only nodes of the run may
+        self._strangers_told = False            # as an event of the run, which is in the bag
+        self._writers = Writers(roster, run_id, self._node)
+        self._waited_for = set(roster.names) - {
+            e.name for e in roster.diagram.externals if e.foreign}
         self._steps = 0                         # truth messages looked at
         self.progress_at = time.monotonic()     # when the last one came
         for topic in filter(None, (self._truth, self._command, self._back)):
@@ -72,7 +88,7 @@ class FlightWatch:
         self._subscribe('/run/ready', self._on_ready)
         self._subscribe('/run/pause', self._on_pause)
         self._subscribe('/run/verdict', self._on_verdict)
-        self._subscribe('/run/events', self._events.append)
+        self._subscribe('/run/events', self._on_event)
 
     def _subscribe(self, topic: str, callback: Any, raw: bool = False) -> None:
         profile = qos.of(topic, self._held)
@@ -97,8 +113,10 @@ class FlightWatch:
 
     @property
     def verdict(self) -> Any:
-        """The last verdict of this run; None before the first."""
-        return self._verdict if self.begun else None
+        """The last verdict of this run, the final one as its judge told it; None before the first."""
+        if self._final is None and (told := self._told()) is not None:
+            self._final = deserialize_message(told, Verdict)
+        return self._final or (self._verdict if self.begun else None)
 
     def new_events(self) -> list[Any]:
         """Return what has happened since the last call."""
@@ -125,7 +143,12 @@ class FlightWatch:
         self.progress_at = time.monotonic()
 
     def _on_verdict(self, message: Any) -> None:
-        self._verdict = message
+        if not message.final:                   # to be shown meanwhile
+            self._verdict = message
+
+    def _on_event(self, message: Any) -> None:
+        self._events.append(message)
+        self._strangers_told |= message.code == SECOND_WRITER
 
     def spin(self, seconds: float) -> None:
         """Take in what arrives during `seconds` of wall time."""
@@ -134,6 +157,14 @@ class FlightWatch:
             # Always the same timeout: with another one the executor begins its round anew, and
             # the first topic that is always ready starves the rest.
             self._executor.spin_once(timeout_sec=GLANCE_S)
+            self.strangers += [s for s in self._writers.look(self._waited_for <= self.ready)
+                               if s.counts]
+
+    def hear_of_strangers(self) -> None:
+        """Let the judge's node say who wrote where nobody may: the recorder hears that, too."""
+        until = time.monotonic() + TELL_S
+        while not self._strangers_told and time.monotonic() < until:
+            self.spin(GLANCE_S)
 
     def is_written(self, topic: str) -> bool:
         """Say whether any node publishes a topic."""

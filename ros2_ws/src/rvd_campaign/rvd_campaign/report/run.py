@@ -5,6 +5,8 @@ No script, no request to anywhere; prints; light or dark as the reader's system 
 """
 
 from collections import Counter
+from collections.abc import Iterable
+import json
 from math import isfinite
 from pathlib import Path
 
@@ -15,6 +17,7 @@ from rvd_campaign.report.page import Drawn, render
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.commands import codes
 from rvd_dynamics.diagram.judge import Judged
+from rvd_dynamics.diagram.roster import SECOND_WRITER
 from rvd_dynamics.link.channel import LINK_COUNTS
 from rvd_dynamics.recording import whole
 from rvd_dynamics.recording.bag_writer import repair
@@ -54,7 +57,7 @@ def write_report(run_dir: Path) -> Path:
     home = run_dir.parent if run_dir.is_file() or folder == run_dir and run_dir.name == 'bag' \
         else run_dir
     target = home / 'report.html'
-    text = page(read(run_dir))
+    text = page(read(run_dir), _doubts_told(home / 'verdict.json'))
     try:
         whole.write_text(target, text)
     except OSError as error:
@@ -62,16 +65,28 @@ def write_report(run_dir: Path) -> Path:
     return target
 
 
-def page(run: Recording) -> str:
-    """Return the report as HTML."""
+def _doubts_told(verdict: Path) -> list[str]:
+    """Return why the flight itself said that it is not to be trusted."""
+    try:
+        told = json.loads(verdict.read_text(encoding='utf-8')).get('doubts', [])
+    except (OSError, ValueError, AttributeError):       # a bag alone, or one that is not ours
+        return []
+    return [str(doubt) for doubt in told] if isinstance(told, list) else []
+
+
+def page(run: Recording, doubts: Iterable[str] = ()) -> str:
+    """Return the report as HTML; `doubts`: why the flight is not to be trusted."""
+    doubts = list(dict.fromkeys([*doubts, *(e.text for e in run.events
+                                            if e.code == SECOND_WRITER)]))
     mark, kind = '?', 'open'
-    if run.judged:
+    if run.judged and not doubts:
         mark, kind = (YES, 'good') if run.verdict.success else (NO, 'bad')
     shown = run.verdict.measures if run.verdict else ()
     links = {name: link.history for name, link in run.links.items()}
     return render(
-        'run.html.j2', title=headline(run), mark=mark, kind=kind, facts=_facts(run),
-        warnings=_warnings(run), verdict=run.verdict, judged=run.judged,
+        'run.html.j2', title=headline(run, bool(doubts)), mark=mark, kind=kind, facts=_facts(run),
+        warnings=[*(f'Not to be trusted: {doubt}.' for doubt in doubts), *_warnings(run)],
+        verdict=run.verdict, judged=run.judged,
         measures=[(m, _used(m)) for m in shown if m.known or m.limited],
         figures=[Drawn(figure.title, svg(name, lambda: figure.draw(run)), figure.caption)
                  for name, figure in figures_of(run).items()],
@@ -83,10 +98,11 @@ def page(run: Recording) -> str:
         scenario=run.scenario_text)
 
 
-def headline(run: Recording) -> str:
-    """Return the verdict in words."""
-    return run.verdict.headline if run.judged else (
+def headline(run: Recording, doubtful: bool = False) -> str:
+    """Return the verdict in words; `doubtful`: it is not to be trusted."""
+    said = run.verdict.headline if run.judged else (
         'no verdict: the recording ends before the run does')
+    return f'not to be trusted: {said}' if doubtful else said
 
 
 def _facts(run: Recording) -> list[tuple[str, str, str]]:

@@ -40,6 +40,9 @@ RUN_TOPICS = {
 }
 # Written by any node whenever it has something to say; nobody waits for them at the start.
 COMMON = ('/run/ready', '/run/events', '/diagnostics')
+# Where programs of any make say something, too, and no node of a run obeys.
+FOR_ALL = ('/diagnostics', '/tf', '/tf_static')
+SECOND_WRITER, ALSO_WRITES = 'SECOND_WRITER', 'ALSO_WRITES'     # events: on other topics, and there
 STATE = 'rvd_interfaces/msg/RelativeState'
 RECORDER, MONITOR, MARKERS = 'bag_recorder', 'mission_monitor', 'markers'
 # The browser console where it is not an operator, who declares it in the diagram: it watches.
@@ -56,6 +59,15 @@ class Watcher:
     reads: tuple[str, ...] = ()
     writes: tuple[str, ...] = ()
     package: str = 'rvd_dynamics'
+
+
+class MayWrite(NamedTuple):
+    """Who may write on a topic of a run."""
+
+    names: frozenset[str]               # nodes, one writer each
+    anyone: bool = False                # one writer, whatever the name of its node: a stick's driver
+    shared: bool = False                # by one node of each process, whichever speaks for it
+    counts: bool = True                 # what is written there acts on the run
 
 
 class Process(NamedTuple):
@@ -162,6 +174,25 @@ class Roster:
                 found.add('/run/end')
                 found |= {'/run/pause', '/run/events', '/run/verdict'} if external.viewer else set()
         return frozenset(found) - self.writes(name)
+
+    @cached_property
+    def _may_write(self) -> dict[str, MayWrite]:
+        """Who may write on each topic, whether it takes part in this run or not."""
+        everybody = {**self.blocks, **self.watchers, **self.externals, **dict.fromkeys(self.names)}
+        foreign = {topic for external in self.externals.values() if external.foreign
+                   for topic in external.writes}
+        table = {topic: MayWrite(frozenset(n for n in everybody if topic in self.writes(n)),
+                                 anyone=topic in foreign) for topic in self.topics}
+        table |= {topic: MayWrite(frozenset(everybody), shared=True) for topic in COMMON}
+        return {topic: rule._replace(counts=topic not in FOR_ALL) for topic, rule in table.items()}
+
+    def may_write(self, topic: str) -> MayWrite:
+        """Return who may write on a topic of the run."""
+        return self._may_write[topic]
+
+    def home_of(self, name: str) -> str:
+        """Return the process of a node; one that nobody groups is alone."""
+        return self.process_of.get(name, name)
 
     def follows_clock(self, name: str) -> bool:
         """

@@ -1,20 +1,27 @@
 """
 The judge as a node: reads truth and nothing else, outside the ring.
 
-Reads       the plant's truth
+Reads       the plant's truth; and who announces a writer on the topics of the run
 Publishes   /run/verdict    rvd_interfaces/Verdict, at most 10 a second of wall time while the run
             goes on, and the final one
+
+The final verdict goes to `fly` by a line of its own, too (`verdict_line`): anybody can write on a
+topic. Whoever does is named by the event SECOND_WRITER, and in /diagnostics.
 """
 
 import time
 from typing import Any
 
+from rclpy.serialization import serialize_message
+
+from rvd_dynamics import verdict_line
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.build import made
 from rvd_dynamics.diagram.judge import judgement
 from rvd_dynamics.diagram.ros.conversions import header_at, verdict_to_msg
 from rvd_dynamics.diagram.ros.host import Host, message_type
 from rvd_dynamics.diagram.ros.node import RunNode
+from rvd_dynamics.diagram.ros.writers import LOOK_S, Writers
 from rvd_dynamics.diagram.roster import MONITOR
 from rvd_interfaces.msg import Verdict
 
@@ -29,9 +36,11 @@ class MissionMonitor(RunNode):
         self._out = self.writer('/run/verdict', Verdict)
         self._published = time.monotonic()
         self._judged_final = False
+        self._writers = Writers(self.roster, host.run_id, self)
 
     def connect(self) -> None:
-        """Make the judge, and listen to the truth."""
+        """Make the judge, listen to the truth, and see who writes."""
+        self.create_timer(LOOK_S, self.guarded(self._look_at_writers))
         own = {'batch': ()}
         self._judge = made(self.scenario.mission.judge,
                            lambda name: own[name] if name in own else self.scenario.part(name),
@@ -63,8 +72,15 @@ class MissionMonitor(RunNode):
     def _publish(self, final: bool) -> None:
         judged = judgement(self._judge, self._judge.verdict(final))
         header = header_at(self.step * self.run.step_ns, self.run.frame_id)
-        self.host.publish(self._out, '/run/verdict', self.step,
-                          verdict_to_msg(header, self.step, final, judged))
+        message = serialize_message(verdict_to_msg(header, self.step, final, judged))
+        if final:
+            verdict_line.tell(message)
+        self.host.publish(self._out, '/run/verdict', self.step, message)
+
+    def _look_at_writers(self) -> None:
+        for stranger in self._writers.look(self.host.begun):
+            self.trouble[f'{stranger.topic} {stranger.node}'] = stranger.words
+            self.event(stranger.code, stranger.words)
 
     def on_end(self, final_step: int) -> None:
         """Judge the final truth first, which may still be on its way."""

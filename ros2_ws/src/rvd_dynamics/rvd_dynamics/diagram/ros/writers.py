@@ -1,0 +1,213 @@
+"""
+Who writes on the topics of a run, looked at from outside the ring: nobody but its own nodes may.
+
+DDS lets anybody write anywhere, and a message does not say who wrote it. What can be known is who
+announces a writer. The table of the run (`Roster.may_write`) says who may; everybody else is named,
+once. It is looked at some times a second: to count the writers of a topic takes microseconds, and
+only where their number has changed are they asked for by name, and now and then all of them.
+
+Not noticed is a writer that comes and goes between two looks.
+"""
+
+from collections import Counter
+from collections.abc import Callable
+import time
+from typing import Any, NamedTuple
+
+from rvd_dynamics.diagram.identity import AREA
+from rvd_dynamics.diagram.roster import ALSO_WRITES, Roster, SECOND_WRITER
+
+LOOK_S = 0.1                    # [s] wall time between two looks at the numbers of writers
+NAMES_S = 0.5                   # [s] wall time between two looks at all names
+NAMELESS_S = 0.3                # [s] wall time in which the node of a new writer becomes known
+LATE_S = 5.0                    # [s] the same where one of the run's own has not been seen yet
+# [s] wall time that nodes of another run get to leave, which they do when they see this one
+OTHER_RUN_S = 15.0
+UNKNOWN_NODE = '_NODE_NAME_UNKNOWN_'    # rmw: of a writer that was seen before its node
+OF_ANY_NODE = ('/parameter_events', '/rosout')      # every node of ROS writes on one of them
+PREFIX = 12                     # [bytes] of a writer's id: those of its process
+
+
+class Stranger(NamedTuple):
+    """A writer that is none of the run's."""
+
+    topic: str
+    node: str                           # name of its node; empty: it has none
+    twin: bool                          # a node of the run has that name, too
+    counts: bool                        # what it writes acts on the run
+
+    @property
+    def code(self) -> str:
+        """Code of the event that says so."""
+        return SECOND_WRITER if self.counts else ALSO_WRITES
+
+    @property
+    def words(self) -> str:
+        """What a person is told."""
+        who = f'{"another " * self.twin}node {self.node}' if self.node else 'a node without a name'
+        return f'a second writer on {self.topic}: {who}'
+
+
+class _Waiting(NamedTuple):
+    """A writer of which it is not known yet whether it is a stranger."""
+
+    since: float                        # [s]
+    of_another_run: bool
+    node: str                           # whose it seems to be; empty: not known
+
+
+class Writers:
+    """
+    The writers of one run; ask `look` often.
+
+    Parameters
+    ----------
+    roster : Roster
+    run_id : str
+        Enclave of the run; '/' of nodes that were started by hand.
+    graph : rclpy.node.Node
+        Any node in the domain: counts and names writers, and names nodes with their enclaves.
+    clock : callable
+        Wall time [s].
+    """
+
+    def __init__(self, roster: Roster, run_id: str, graph: Any,
+                 clock: Callable[[], float] = time.monotonic) -> None:
+        self._roster, self._run_id, self._graph, self._clock = roster, run_id, graph, clock
+        self._counts = dict.fromkeys(roster.topics, 0)
+        # Of each topic: the writers that are the run's, by their ids, with the names of their nodes.
+        self._ours: dict[str, dict[bytes, str]] = {topic: {} for topic in roster.topics}
+        self._waiting: dict[str, dict[bytes, _Waiting]] = {topic: {} for topic in roster.topics}
+        self._told: set[Stranger] = set()
+        self._found: set[tuple[str, bytes]] = set()     # writers that are strangers
+        self._looked = self._named = float('-inf')
+        self._begun_at: float | None = None
+
+    def look(self, begun: bool) -> list[Stranger]:
+        """
+        Return who is there that should not be, each once; nothing between two looks.
+
+        `begun`: every node of the run is there. Before that, a writer whose node is not known yet
+        may be one of them.
+        """
+        now = self._clock()
+        if now - self._looked < LOOK_S:
+            return []
+        self._looked = now
+        if begun and self._begun_at is None:
+            self._begun_at = now
+        every = now - self._named >= NAMES_S
+        if every:
+            self._named = now
+        found: dict[Stranger, None] = {}
+        for topic, known in self._counts.items():
+            count = self._graph.count_publishers(topic)
+            if every or count != known or self._waiting[topic]:
+                self._counts[topic] = count
+                found |= dict.fromkeys(self._of_topic(topic, now))
+        new = [stranger for stranger in found if stranger not in self._told]
+        self._told.update(new)
+        return new
+
+    # -- one topic --------------------------------------------------------------------------
+
+    def _of_topic(self, topic: str, now: float) -> list[Stranger]:
+        there = {bytes(info.endpoint_gid): _name(info.node_name, info.node_namespace)
+                 for info in self._graph.get_publishers_info_by_topic(topic)}
+        ours, waiting = self._ours[topic], self._waiting[topic]
+        rule = self._roster.may_write(topic)
+        for gid in set(ours) - set(there):
+            del ours[gid]
+        for gid, node in there.items():
+            if gid in ours:                     # a node that leaves has its name taken first
+                ours[gid] = ours[gid] or node
+            elif self._takes(topic, gid, node):
+                ours[gid] = node
+                waiting.pop(gid, None)
+        elsewhere = None                        # nodes of another run, asked for where it matters
+        found = []
+
+        def stranger(gid: bytes, node: str) -> None:
+            self._found.add((topic, gid))
+            found.append(Stranger(topic, node, bool(node) and node in rule.names, rule.counts))
+        for gid, node in there.items():
+            if gid in ours or (topic, gid) in self._found:
+                continue
+            if node and elsewhere is None:
+                elsewhere = self._of_other_runs()
+            before = waiting.get(gid, _Waiting(now, False, ''))
+            of_another = before.of_another_run or bool(node) and elsewhere[node] > 0
+            if node and of_another:
+                elsewhere[node] -= 1            # one writer for each such node
+            waiting[gid] = _Waiting(before.since, of_another,
+                                    node or before.node or self._neighbour(gid))
+            if now >= self._until(topic, node, waiting[gid]):
+                stranger(gid, waiting[gid].node)
+        for gid in set(waiting) - set(there):   # it has gone
+            before = waiting.pop(gid)
+            if not (before.of_another_run or (topic, gid) in self._found
+                    or self._begun_at is None or self._may_come(topic)):
+                stranger(gid, before.node)
+        return found
+
+    def _takes(self, topic: str, gid: bytes, node: str) -> bool:
+        """Say whether a writer is one that the run has there."""
+        rule, present = self._roster.may_write(topic), self._ours[topic].values()
+        if rule.anyone:
+            return not present
+        if node not in rule.names or node in present:
+            return False
+        if not rule.shared:
+            return True
+        # One for each process of the run, and in the process in which that node writes the rest.
+        home = self._roster.home_of(node)
+        homes = self._homes()
+        known = homes.get(gid[:PREFIX])
+        if known is None:
+            return home not in homes.values() and \
+                home not in map(self._roster.home_of, present)
+        return known == home
+
+    def _homes(self) -> dict[bytes, str]:
+        """Return the processes of the run that are known, by what begins the ids of writers."""
+        return {gid[:PREFIX]: self._roster.home_of(node)
+                for topic, ours in self._ours.items()
+                if not self._roster.may_write(topic).shared for gid, node in ours.items() if node}
+
+    def _may_come(self, topic: str) -> bool:
+        """Say whether one of the run's own writers has not been seen yet."""
+        rule = self._roster.may_write(topic)
+        return rule.shared or not set(rule.names) <= set(self._ours[topic].values())
+
+    def _until(self, topic: str, node: str, waiting: _Waiting) -> float:
+        """Return until when a writer may be there before it counts as a stranger [s]."""
+        if waiting.of_another_run:
+            return waiting.since + OTHER_RUN_S
+        if node:
+            return waiting.since
+        if self._begun_at is None:
+            return float('inf')
+        patience = LATE_S if self._may_come(topic) else NAMELESS_S
+        return max(waiting.since, self._begun_at) + patience
+
+    def _neighbour(self, gid: bytes) -> str:
+        """Return the node that writes elsewhere in the process of a writer; empty if not just one."""
+        names = {_name(info.node_name, info.node_namespace)
+                 for topic in (*OF_ANY_NODE, *self._counts)
+                 for info in self._graph.get_publishers_info_by_topic(topic)
+                 if bytes(info.endpoint_gid)[:PREFIX] == gid[:PREFIX]} - {''}
+        return names.pop() if len(names) == 1 else ''
+
+    def _of_other_runs(self) -> Counter[str]:
+        """Return how many nodes of each name are there of another run of `fly`."""
+        return Counter(
+            _name(name, namespace) for name, namespace, enclave
+            in self._graph.get_node_names_and_namespaces_with_enclaves()
+            if enclave != self._run_id and enclave.startswith(AREA))
+
+
+def _name(name: str, namespace: str) -> str:
+    """Return the name of a node as a person writes it; empty where it is not known."""
+    if not name or name == UNKNOWN_NODE:
+        return ''
+    return name if namespace in ('', '/') else f'{namespace}/{name}'

@@ -1,0 +1,248 @@
+"""A second writer on a topic of a flight: named within a second, and the flight is not believed."""
+
+from dataclasses import replace
+import os
+import time
+from types import SimpleNamespace
+
+from diagnostic_msgs.msg import DiagnosticArray
+import pytest
+from rclpy.context import Context
+from rclpy.node import Node
+from rclpy.serialization import serialize_message
+from runs import end, in_flight, messages, ROOT, start_rvd, verdict_of, wait_for
+from std_msgs.msg import Bool
+
+from rvd_campaign.flight import fly, second_opinion, verdict
+from rvd_campaign.flight.domain import reserved_domain
+from rvd_campaign.flight.supervisor import Supervisor
+from rvd_campaign.flight.watch import FlightWatch
+from rvd_campaign.report.run import page
+from rvd_dynamics import verdict_line
+from rvd_dynamics.diagram.judge import from_message
+from rvd_dynamics.diagram.ros import qos
+from rvd_dynamics.diagram.roster import Roster, SECOND_WRITER
+from rvd_dynamics.diagram.scenario import load
+from rvd_dynamics.recording.messages import files_of, MessageFile
+from rvd_dynamics.recording.reader import newest, read
+from rvd_dynamics.recording.recording import Event
+from rvd_dynamics.verdict_line import VerdictLine
+from rvd_interfaces.msg import RunEvent, Verdict
+
+DOCKED = Verdict(step=9, final=True, success=True, reason='docked', words='docked', duration=4.5)
+
+
+@pytest.fixture
+def flying(tmp_path, monkeypatch):
+    """Return a starter of flights in real time, in a domain that this test knows."""
+    with reserved_domain() as number:
+        domain = int(number)
+    monkeypatch.setattr('runs.environment', lambda: {
+        **os.environ, 'RVD_ROOT': str(ROOT), 'ROS_DOMAIN_ID': str(domain)})
+    started = []
+
+    def start(*args):
+        started.append(start_rvd('fly', '--headless', '--pace', '2', '--out', 'run', *args,
+                                 cwd=tmp_path))
+        return started[-1]
+    start.domain = domain
+    yield start
+    for process in started:
+        end(process)
+
+
+class Forger:
+    """A node that writes where it must not, from this process."""
+
+    def __init__(self, domain, name):
+        self.context = Context()
+        self.context.init(domain_id=domain)
+        self.node = Node(name, context=self.context, enable_rosout=False)
+
+    def write(self, topic, message, seconds=0.3):
+        """Announce a writer, write once, and take the writer away again."""
+        publisher = self.node.create_publisher(type(message), topic, qos.of(topic))
+        wait_for(publisher.get_subscription_count, f'a reader of {topic}')
+        publisher.publish(message)
+        time.sleep(seconds)
+        self.node.destroy_publisher(publisher)
+
+    def close(self):
+        self.node.destroy_node()
+        self.context.try_shutdown()
+
+
+# -- a flight --------------------------------------------------------------------------------------
+
+@pytest.mark.slow
+@pytest.mark.patient
+@pytest.mark.parametrize('topic, message, name', [
+    ('/run/verdict', DOCKED, 'forger'), ('/run/pause', Bool(data=True), 'command_blender')])
+def test_a_writer_that_lives_a_moment_ends_the_flight_as_not_to_be_trusted(
+        topic, message, name, flying, tmp_path):
+    """Also one with the name of the node that is to write there; a forged verdict is no verdict."""
+    process = flying()
+    in_flight(tmp_path / 'run', 2)
+    forger = Forger(flying.domain, name)
+    try:
+        began = time.time_ns()
+        forger.write(topic, message)
+        assert process.wait(60.0) == 2
+    finally:
+        forger.close()
+    another = 'another ' * (name != 'forger')
+    words = f'a second writer on {topic}: {another}node {name}'
+    out = (tmp_path / 'out').read_text()
+    assert f'rvd fly: not to be trusted: {words}\n' in out and 'docked' not in out, out
+    told = verdict_of(tmp_path / 'run')
+    assert (told['success'], told['reason'], told['trusted']) == (False, 'untrusted', False)
+    assert told['doubts'] == [words] and told['bag_agrees'] is None
+    events = [m for m in messages(tmp_path / 'run', '/run/events') if m.code == SECOND_WRITER]
+    assert [(m.node, m.text) for m in events] == [('mission_monitor', words)]
+    assert f'Not to be trusted: {words}.' in (tmp_path / 'run' / 'report.html').read_text()
+    (tmp_path / 'run' / 'verdict.json').unlink()        # the bag alone says it, too
+    assert f'Not to be trusted: {words}.' in page(read(tmp_path / 'run'))
+    noticed, = (stored.publish_ns for file in files_of(tmp_path / 'run')
+                for stored in MessageFile(file, {'/run/events'})
+                if stored.message.code == SECOND_WRITER)
+    assert noticed - began < 10e9               # on a machine that has time for it, 0.2 s
+
+
+@pytest.mark.slow
+@pytest.mark.patient
+def test_who_says_how_he_is_beside_a_flight_does_not_end_it(flying, tmp_path):
+    """The twin: on /diagnostics programs of any make write; it is said, and flown on."""
+    process = flying('--pace', 'lockstep')
+    wait_for((tmp_path / 'run' / 'bag').exists, 'the flight')
+    guest = Forger(flying.domain, 'guest')
+    try:
+        guest.write('/diagnostics', DiagnosticArray(), 0.5)
+        assert process.wait(90.0) in (0, 1)
+    finally:
+        guest.close()
+    told = verdict_of(tmp_path / 'run')
+    assert told['trusted'] and told['doubts'] == [] and told['bag_agrees'] is True
+    assert 'a second writer on /diagnostics: node guest' in (tmp_path / 'out').read_text()
+    assert 'Not to be trusted' not in (tmp_path / 'run' / 'report.html').read_text()
+
+
+# -- the verdict, and the judge asked again ----------------------------------------------------------
+
+def test_the_final_verdict_is_that_of_the_line_whatever_is_on_the_topic(own_domain):
+    lines = []
+    watch = FlightWatch(Roster(load(ROOT / 'scenarios' / 'paper.yaml')), own_domain, '/',
+                        lambda: serialize_message(lines[0]) if lines else None)
+    try:
+        watch.ready.add('spacecraft_dynamics')
+        watch._on_verdict(DOCKED)
+        assert watch.verdict is None            # anybody may have said it
+        under_way = Verdict(step=7)
+        watch._on_verdict(under_way)
+        assert watch.verdict is under_way
+        lines.append(Verdict(step=9, final=True, reason='timeout'))
+        watch._on_verdict(DOCKED)
+        assert watch.verdict.reason == 'timeout' and watch.verdict.final
+    finally:
+        watch.close()
+
+
+def test_a_forged_verdict_in_the_bag_is_none_of_the_flight(monkeypatch):
+    """The line is silent: its judge has died."""
+    flight = object.__new__(fly.Flight)
+    flight._roster = SimpleNamespace(diagram=SimpleNamespace(legs=list))
+    flight._run_dir, flight._watch = None, SimpleNamespace(verdict=None)
+    monkeypatch.setattr(fly.reader, 'newest', lambda *_: {'/run/verdict': DOCKED})
+    assert flight._outcome() == (None, {})
+
+
+def test_a_verdict_is_taken_from_the_line_whole_or_not_at_all(monkeypatch):
+    line = VerdictLine()
+    monkeypatch.setenv(verdict_line.VARIABLE, str(line.writes))
+    try:
+        assert line.heard() is None
+        os.write(line.writes, (3).to_bytes(4, 'little') + b'ab')
+        assert line.heard() is None
+        os.write(line.writes, b'c')
+        assert line.heard() == b'abc'
+        verdict_line.tell(b'another')           # the first counts
+        assert line.heard() == b'abc'
+        monkeypatch.setenv(verdict_line.VARIABLE, '99999')
+        verdict_line.tell(b'into nothing')
+    finally:
+        line.handed_over()
+        line.close()
+    assert line.heard() == b'abc'
+
+
+def test_nobody_waits_for_a_line_that_nobody_reads(monkeypatch):
+    line = VerdictLine()
+    monkeypatch.setenv(verdict_line.VARIABLE, str(line.writes))
+    verdict_line.tell(b'x'*10_000_000)
+    line.handed_over()
+    line.close()
+
+
+def test_the_judge_says_the_same_over_the_bag_and_says_so_where_it_does_not(flight):
+    scenario = read(flight.run).scenario
+    told = newest(flight.run, ['/run/verdict'])['/run/verdict']
+    assert second_opinion.asked(flight.run, scenario, told, []) == (
+        [], {'trusted': True, 'doubts': [], 'bag_agrees': True, 'bag_says': ''})
+    assert verdict_of(flight.run)['bag_agrees'] is True
+    failed = Verdict(final=True, reason='timeout', words='too slow', duration=4.5)
+    doubts, trust = second_opinion.asked(flight.run, scenario, failed, [])
+    assert 'failed after 4.5 s: too slow' in doubts[0] and 'docked after' in doubts[0]
+    assert trust['bag_agrees'] is False
+    assert (trust['success'], trust['reason']) == (False, verdict.UNTRUSTED)
+    told.measures[0].value += 1e-3
+    doubts, _ = second_opinion.asked(flight.run, scenario, told, [])
+    assert told.measures[0].name in doubts[0]
+
+
+@pytest.mark.parametrize('change, why', [
+    (lambda rows: rows[:-1], 'ends at step'), (lambda rows: rows[:5] + rows[4:], 'from step 4 to'),
+    (lambda rows: rows[:5] + rows[6:], 'from step 4 to step 6'), (lambda rows: [], 'step -1')])
+def test_a_bag_without_every_truth_once_is_no_second_opinion(change, why, flight, monkeypatch):
+    rows = [stored for file in files_of(flight.run)
+            for stored in MessageFile(file, {'/truth/relative_state'})]
+    monkeypatch.setattr(second_opinion, 'files_of', lambda _: [None])
+    monkeypatch.setattr(second_opinion, 'MessageFile', lambda *_: change(rows))
+    told = newest(flight.run, ['/run/verdict'])['/run/verdict']
+    doubts, trust = second_opinion.asked(flight.run, read(flight.run).scenario, told, [])
+    assert doubts == [] and trust['bag_agrees'] is None and why in trust['bag_says']
+
+
+# -- what comes from messages does nothing to a terminal -----------------------------------------------
+
+EVIL = '\x1b[2J\x1b]0;title\x07\u202egnp.exe\rdocked\n'
+
+
+def test_words_of_messages_and_logs_do_nothing_to_a_terminal(monkeypatch, tmp_path, capsys):
+    flight = object.__new__(fly.Flight)
+    flight._run, flight._headless, flight._on_line = SimpleNamespace(step_s=0.5), False, False
+    flight._shown_at, flight._shown = -1e9, ''
+    flight._watch = SimpleNamespace(
+        new_events=lambda: [RunEvent(step=2, node=EVIL, text=EVIL)], steps=1,
+        line=lambda: f't 1.0 s {EVIL}')
+    flight._show()
+    told = capsys.readouterr().out
+    assert told.count('\n') == 2 and 'gnp.exe' in told
+    log = tmp_path / 'logs' / 'guard.log'
+    log.parent.mkdir()
+    log.write_text(f'{EVIL}the end {EVIL.strip()}')
+    supervisor = object.__new__(Supervisor)
+    supervisor.run_dir = tmp_path
+    words = [told, supervisor.last_words('guard'), verdict.in_words(from_message(Verdict(
+        success=True, reason=EVIL, words=EVIL, duration=1.0)))]
+    for text in words:
+        assert 'docked' in text
+        assert all(c.isprintable() or c == '\n' for c in text), ascii(text)
+
+
+def test_verdict_json_and_report_hold_no_raw_control_character(tmp_path, flight):
+    run = replace(read(flight.run), events=(Event(1, 0.5, EVIL, 'X', f'<script>{EVIL}'),))
+    shown = page(run, [EVIL])
+    assert '<script>' not in shown and 'gnp.exe' in shown
+    assert all(c.isprintable() or c == '\n' for c in shown)
+    verdict.write(tmp_path / 'verdict.json', {'doubts': [EVIL]})
+    assert (tmp_path / 'verdict.json').read_text().isprintable() or all(
+        c.isprintable() or c == '\n' for c in (tmp_path / 'verdict.json').read_text())
