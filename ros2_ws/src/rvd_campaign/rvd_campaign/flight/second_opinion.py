@@ -18,14 +18,13 @@ from rvd_dynamics.diagram.build import made
 from rvd_dynamics.diagram.in_process import judge_of
 from rvd_dynamics.diagram.judge import from_message, Judgement, judgement
 from rvd_dynamics.diagram.scenario import Scenario
-from rvd_dynamics.diagram.ros.writers import Stranger
 from rvd_dynamics.recording.messages import files_of, MessageFile
 
 SAME = 1e-9                     # of two values that are the same number, relatively
 
 
-def asked(run_dir: Path, scenario: Scenario, told: Any, strangers: Iterable[Stranger]
-           ) -> tuple[list[str], dict[str, Any]]:
+def asked(run_dir: Path, scenario: Scenario, told: Any, strangers: Iterable[str]
+          ) -> tuple[list[str], dict[str, Any]]:
     """
     Return why a flight is not to be trusted, and what `verdict.json` says about that.
 
@@ -33,10 +32,10 @@ def asked(run_dir: Path, scenario: Scenario, told: Any, strangers: Iterable[Stra
     ----------
     told : Verdict or None
         What the judge told during the flight; it is compared once it is final.
-    strangers : iterable of Stranger
-        Who wrote on topics of the run and is none of it.
+    strangers : iterable of str
+        Sentences that say who wrote on topics of the run and is none of it.
     """
-    found = [stranger.words for stranger in strangers]
+    found = list(strangers)
     agrees, why = None, 'the run has no final verdict'
     if told is not None and told.final:
         try:

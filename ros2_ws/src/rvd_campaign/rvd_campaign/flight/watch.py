@@ -23,7 +23,7 @@ from rvd_dynamics.diagram.judge import from_message
 from rvd_dynamics.diagram.ros import qos
 from rvd_dynamics.diagram.ros.conversions import ns_of
 from rvd_dynamics.diagram.ros.host import message_type
-from rvd_dynamics.diagram.ros.writers import Stranger, Writers
+from rvd_dynamics.diagram.ros.writers import NAMELESS, Writers
 from rvd_dynamics.diagram.roster import Roster, SECOND_WRITER
 from rvd_interfaces.msg import Verdict
 
@@ -76,8 +76,8 @@ class FlightWatch:
         self.paused = False
         self._verdict, self._final = None, None
         self._events: list[Any] = []
-        self.strangers: list[Stranger] = []     # who wrote where only nodes of the run may
-        self._strangers_told = False            # as an event of the run, which is in the bag
+        self._seen: dict[str, str] = {}         # what was said of a second writer, by topic
+        self._told_in_the_run = False           # as an event, which is in the bag
         self._writers = Writers(roster, run_id, self._node)
         self._waited_for = set(roster.names) - {
             e.name for e in roster.diagram.externals if e.foreign}
@@ -148,7 +148,14 @@ class FlightWatch:
 
     def _on_event(self, message: Any) -> None:
         self._events.append(message)
-        self._strangers_told |= message.code == SECOND_WRITER
+        if message.code == SECOND_WRITER:       # the monitor sees what this process may miss
+            self._told_in_the_run = True
+            self._note(message.text)
+
+    def _note(self, words: str) -> None:
+        where = words.partition(': ')[0]
+        if where not in self._seen or self._seen[where].endswith(NAMELESS):
+            self._seen[where] = words
 
     def spin(self, seconds: float) -> None:
         """Take in what arrives during `seconds` of wall time."""
@@ -157,13 +164,19 @@ class FlightWatch:
             # Always the same timeout: with another one the executor begins its round anew, and
             # the first topic that is always ready starves the rest.
             self._executor.spin_once(timeout_sec=GLANCE_S)
-            self.strangers += [s for s in self._writers.look(self._waited_for <= self.ready)
-                               if s.counts]
+            for stranger in self._writers.look(self._waited_for <= self.ready):
+                if stranger.counts:
+                    self._note(stranger.words)
+
+    @property
+    def strangers(self) -> list[str]:
+        """Sentences that say who wrote where only nodes of the run may; one for each topic."""
+        return list(self._seen.values())
 
     def hear_of_strangers(self) -> None:
         """Let the judge's node say who wrote where nobody may: the recorder hears that, too."""
         until = time.monotonic() + TELL_S
-        while not self._strangers_told and time.monotonic() < until:
+        while not self._told_in_the_run and time.monotonic() < until:
             self.spin(GLANCE_S)
 
     def is_written(self, topic: str) -> bool:

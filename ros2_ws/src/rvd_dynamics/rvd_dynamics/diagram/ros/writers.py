@@ -24,6 +24,7 @@ LATE_S = 5.0                    # [s] the same where one of the run's own has no
 # [s] wall time that nodes of another run get to leave, which they do when they see this one
 OTHER_RUN_S = 15.0
 UNKNOWN_NODE = '_NODE_NAME_UNKNOWN_'    # rmw: of a writer that was seen before its node
+NAMELESS = 'a node without a name'
 OF_ANY_NODE = ('/parameter_events', '/rosout')      # every node of ROS writes on one of them
 PREFIX = 12                     # [bytes] of a writer's id: those of its process
 
@@ -44,7 +45,7 @@ class Stranger(NamedTuple):
     @property
     def words(self) -> str:
         """What a person is told."""
-        who = f'{"another " * self.twin}node {self.node}' if self.node else 'a node without a name'
+        who = f'{"another " * self.twin}node {self.node}' if self.node else NAMELESS
         return f'a second writer on {self.topic}: {who}'
 
 
@@ -53,7 +54,7 @@ class _Waiting(NamedTuple):
 
     since: float                        # [s]
     of_another_run: bool
-    node: str                           # whose it seems to be; empty: not known
+    seems: str                          # of which node; empty: not known
 
 
 class Writers:
@@ -78,10 +79,13 @@ class Writers:
         # Of each topic: the writers that are the run's, by their ids, with the names of their nodes.
         self._ours: dict[str, dict[bytes, str]] = {topic: {} for topic in roster.topics}
         self._waiting: dict[str, dict[bytes, _Waiting]] = {topic: {} for topic in roster.topics}
+        self._names = frozenset(name for topic in roster.topics
+                                for name in roster.may_write(topic).names) | {''}
         self._told: set[Stranger] = set()
         self._found: set[tuple[str, bytes]] = set()     # writers that are strangers
         self._looked = self._named = float('-inf')
         self._begun_at: float | None = None
+        self._neighbours: dict[bytes, set[str]] | None = None   # of each process, in this look
 
     def look(self, begun: bool) -> list[Stranger]:
         """
@@ -93,7 +97,7 @@ class Writers:
         now = self._clock()
         if now - self._looked < LOOK_S:
             return []
-        self._looked = now
+        self._looked, self._neighbours = now, None
         if begun and self._begun_at is None:
             self._begun_at = now
         every = now - self._named >= NAMES_S
@@ -112,8 +116,7 @@ class Writers:
     # -- one topic --------------------------------------------------------------------------
 
     def _of_topic(self, topic: str, now: float) -> list[Stranger]:
-        there = {bytes(info.endpoint_gid): _name(info.node_name, info.node_namespace)
-                 for info in self._graph.get_publishers_info_by_topic(topic)}
+        there = self._on(topic)
         ours, waiting = self._ours[topic], self._waiting[topic]
         rule = self._roster.may_write(topic)
         for gid in set(ours) - set(there):
@@ -133,21 +136,23 @@ class Writers:
         for gid, node in there.items():
             if gid in ours or (topic, gid) in self._found:
                 continue
+            guess = '' if node else self._neighbour(gid)
+            if guess not in self._names:        # no group of the run's that is still coming up
+                node = guess
             if node and elsewhere is None:
                 elsewhere = self._of_other_runs()
             before = waiting.get(gid, _Waiting(now, False, ''))
             of_another = before.of_another_run or bool(node) and elsewhere[node] > 0
             if node and of_another:
                 elsewhere[node] -= 1            # one writer for each such node
-            waiting[gid] = _Waiting(before.since, of_another,
-                                    node or before.node or self._neighbour(gid))
+            waiting[gid] = _Waiting(before.since, of_another, node or guess or before.seems)
             if now >= self._until(topic, node, waiting[gid]):
-                stranger(gid, waiting[gid].node)
+                stranger(gid, waiting[gid].seems)
         for gid in set(waiting) - set(there):   # it has gone
             before = waiting.pop(gid)
             if not (before.of_another_run or (topic, gid) in self._found
                     or self._begun_at is None or self._may_come(topic)):
-                stranger(gid, before.node)
+                stranger(gid, before.seems)
         return found
 
     def _takes(self, topic: str, gid: bytes, node: str) -> bool:
@@ -191,12 +196,23 @@ class Writers:
         return max(waiting.since, self._begun_at) + patience
 
     def _neighbour(self, gid: bytes) -> str:
-        """Return the node that writes elsewhere in the process of a writer; empty if not just one."""
-        names = {_name(info.node_name, info.node_namespace)
-                 for topic in (*OF_ANY_NODE, *self._counts)
-                 for info in self._graph.get_publishers_info_by_topic(topic)
-                 if bytes(info.endpoint_gid)[:PREFIX] == gid[:PREFIX]} - {''}
-        return names.pop() if len(names) == 1 else ''
+        """
+        Return the one node in the process of a writer that is known; empty where it is not the only one.
+
+        The name of a node comes with its first writers, that of a new writer some time after it.
+        """
+        if self._neighbours is None:
+            self._neighbours = {}
+            for topic in (*OF_ANY_NODE, *self._counts):
+                for other, node in self._on(topic).items():
+                    self._neighbours.setdefault(other[:PREFIX], set()).add(node)
+        names = self._neighbours.get(gid[:PREFIX], set()) - {''}
+        return next(iter(names)) if len(names) == 1 else ''
+
+    def _on(self, topic: str) -> dict[bytes, str]:
+        """Return the writers of a topic by their ids, with the names of their nodes."""
+        return {bytes(info.endpoint_gid): _name(info.node_name, info.node_namespace)
+                for info in self._graph.get_publishers_info_by_topic(topic)}
 
     def _of_other_runs(self) -> Counter[str]:
         """Return how many nodes of each name are there of another run of `fly`."""
