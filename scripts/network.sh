@@ -1,4 +1,4 @@
-# Who hears the nodes that this shell starts: this machine alone, unless the user has said otherwise.
+# Who hears the nodes that this shell starts: this machine alone, unless the user says otherwise.
 # Sourced by .rvd/env.sh and scripts/bringup.sh; `rvd_campaign.flight.reach` says it of a flight.
 #
 # Our file of Fast DDS profiles binds every socket to 127.0.0.1. It is left out where the user names

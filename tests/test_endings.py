@@ -190,7 +190,8 @@ def test_a_node_that_fails_when_the_bag_has_the_verdict_takes_nothing_with_it(
     flight._roster = SimpleNamespace(diagram=SimpleNamespace(externals=()))
     flight._supervisor = SimpleNamespace(pids={'world': 1}, codes={'world': 1}, ended=True,
                                          failures=lambda: {'world': 1})
-    flight._watch = SimpleNamespace(spin=lambda s: None, new_events=list, steps=0, verdict=None)
+    flight._watch = SimpleNamespace(spin=lambda s: None, new_events=list, steps=0, verdict=None,
+                                    strangers=[])
     monkeypatch.setattr(flight, '_outcome', lambda: (SimpleNamespace(final=final), {}))
     monkeypatch.setattr(flight, '_why', lambda failures: f'{failures}')
     assert flight._follow() == (None if final else "{'world': 1}")

@@ -73,7 +73,7 @@ class Forger:
         self.context.try_shutdown()
 
 
-# -- a flight --------------------------------------------------------------------------------------
+# -- a flight -------------------------------------------------------------------------------------
 
 @pytest.mark.slow
 @pytest.mark.patient
@@ -129,7 +129,7 @@ def test_who_says_how_he_is_beside_a_flight_does_not_end_it(flying, tmp_path):
     assert 'Not to be trusted' not in (tmp_path / 'run' / 'report.html').read_text()
 
 
-# -- the verdict, and the judge asked again ----------------------------------------------------------
+# -- the verdict, and the judge asked again -------------------------------------------------------
 
 def test_the_final_verdict_is_that_of_the_line_whatever_is_on_the_topic(own_domain):
     lines = []
@@ -214,7 +214,7 @@ def test_a_bag_without_every_truth_once_is_no_second_opinion(change, why, flight
     assert doubts == [] and trust['bag_agrees'] is None and why in trust['bag_says']
 
 
-# -- what comes from messages does nothing to a terminal -----------------------------------------------
+# -- what comes from messages does nothing to a terminal ------------------------------------------
 
 EVIL = '\x1b[2J\x1b]0;title\x07\u202egnp.exe\rdocked\n'
 

@@ -113,7 +113,7 @@ class FlightWatch:
 
     @property
     def verdict(self) -> Any:
-        """The last verdict of this run, the final one as its judge told it; None before the first."""
+        """The last verdict of this run, the final one as its judge told it; None before any."""
         if self._final is None and (told := self._told()) is not None:
             self._final = deserialize_message(told, Verdict)
         return self._final or (self._verdict if self.begun else None)

@@ -65,7 +65,7 @@ class MayWrite(NamedTuple):
     """Who may write on a topic of a run."""
 
     names: frozenset[str]               # nodes, one writer each
-    anyone: bool = False                # one writer, whatever the name of its node: a stick's driver
+    anyone: bool = False                # one writer, of a node of any name: a stick's driver
     shared: bool = False                # by one node of each process, whichever speaks for it
     counts: bool = True                 # what is written there acts on the run
 
