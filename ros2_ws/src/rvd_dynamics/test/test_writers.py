@@ -19,7 +19,7 @@ class Graph:
     """What DDS tells of writers and nodes, and the wall time."""
 
     def __init__(self, roster, processes=None):
-        self.writers, self.nodes, self.now, self.asked = {}, [], 100.0, 0
+        self.writers, self.nodes, self.now, self.asked, self.crowd = {}, [], 100.0, 0, 0.0
         self.roster, self._process = roster, {}
         for process in roster.processes:
             for node in process.nodes:
@@ -78,7 +78,7 @@ def graph(roster):
 @pytest.fixture
 def look(roster, graph):
     """Return a look at the graph some time later, at which the run has begun."""
-    writers = Writers(roster, RUN, graph, lambda: graph.now)
+    writers = Writers(roster, RUN, graph, lambda: graph.now, lambda: graph.crowd)
 
     def at(seconds=0.125, begun=True):
         graph.now += seconds
@@ -96,7 +96,7 @@ def test_nobody_of_a_run_is_a_stranger(path, processes):
     scenario = load(path).with_values('/**', processes=processes)
     roster = listed(scenario, headless=False, console=True)
     graph = Graph(roster)
-    writers = Writers(roster, RUN, graph, lambda: graph.now)
+    writers = Writers(roster, RUN, graph, lambda: graph.now, lambda: graph.crowd)
     for _ in range(80):                         # longer than any patience
         graph.now += 0.25
         assert writers.look(True) == []
@@ -177,7 +177,7 @@ def test_a_group_that_comes_up_is_not_taken_for_its_first_node():
     graph = Graph(roster)
     full, graph.writers = graph.writers, {}
     graph.come('link_back', '/parameter_events', process='one', enclave=None)
-    writers = Writers(roster, RUN, graph, lambda: graph.now)
+    writers = Writers(roster, RUN, graph, lambda: graph.now, lambda: graph.crowd)
     for topic, of in full.items():
         graph.writers[topic] = dict.fromkeys(of, UNKNOWN_NODE)
         graph.now += 1.0
@@ -196,7 +196,7 @@ def test_a_run_comes_up_node_by_node_and_by_names_that_are_not_known_yet(roster)
     full = Graph(roster)
     graph = Graph(roster)
     graph.writers = {}
-    writers = Writers(roster, RUN, graph, lambda: graph.now)
+    writers = Writers(roster, RUN, graph, lambda: graph.now, lambda: graph.crowd)
     for topic, of in full.writers.items():
         graph.writers[topic] = dict.fromkeys(of, UNKNOWN_NODE)
         graph.now += 10.0
@@ -238,6 +238,20 @@ def test_nodes_of_another_run_get_the_time_to_leave(graph, look, node, topic):
     assert look(1.0) == []
 
 
+def test_their_writers_may_be_seen_long_before_their_names(graph, look):
+    """On a machine that has much to do; the names of some are known first."""
+    look()
+    graph.crowd = 10.0
+    writers = [graph.come('', topic)[0] for topic in ('/run/verdict', '/link/back/status')]
+    assert look() == [] and look(NAMELESS_S*9) == []
+    graph.nodes.append(('link_back', '/', new_run()))
+    assert look() == []
+    graph.nodes.pop()
+    graph.go('/run/verdict', writers[0])
+    assert look() == [] and look(OTHER_RUN_S/2) == []
+    assert told(look(OTHER_RUN_S)) == [('/link/back/status', '')]
+
+
 def test_and_who_stays_is_a_stranger(graph, look):
     look()
     graph.come('link_back', '/link/back/status', enclave=new_run())
@@ -258,7 +272,7 @@ def test_where_all_nodes_write_a_stranger_has_not_their_name_or_not_their_proces
     """In a group one node speaks for all, so the name of another is still free."""
     roster = listed(load(SCENARIOS / 'paper.yaml').with_values('/**', processes=processes), True)
     graph = Graph(roster)
-    writers = Writers(roster, RUN, graph, lambda: graph.now)
+    writers = Writers(roster, RUN, graph, lambda: graph.now, lambda: graph.crowd)
     assert writers.look(True) == []
     graph.come(name, '/run/events', enclave='/')
     graph.now += 0.125
@@ -272,7 +286,7 @@ def test_a_driver_of_any_name_has_the_stick_and_a_second_one_is_named(driver):
     roster = listed(scenario, headless=True)
     graph = Graph(roster)
     graph.writers['/joy'] = {}
-    writers = Writers(roster, RUN, graph, lambda: graph.now)
+    writers = Writers(roster, RUN, graph, lambda: graph.now, lambda: graph.crowd)
     assert writers.look(True) == []
     first, = graph.come('my_driver', '/joy', enclave='/')
     graph.now += 0.125
@@ -287,7 +301,7 @@ def test_a_driver_that_has_ended_may_be_replaced():
                      joy_driver: external}}""", 'mine')
     roster = listed(scenario, headless=True)
     graph = Graph(roster)
-    writers = Writers(roster, RUN, graph, lambda: graph.now)
+    writers = Writers(roster, RUN, graph, lambda: graph.now, lambda: graph.crowd)
     graph.writers['/joy'] = {}
     for name in ('first', 'second'):
         gid, = graph.come(name, '/joy', enclave='/')

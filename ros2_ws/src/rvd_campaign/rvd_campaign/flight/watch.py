@@ -148,7 +148,7 @@ class FlightWatch:
 
     def _on_event(self, message: Any) -> None:
         self._events.append(message)
-        if message.code == SECOND_WRITER:       # the monitor sees what this process may miss
+        if message.code == SECOND_WRITER and self.begun:    # the monitor sees what this process may miss
             self._told_in_the_run = True
             self._note(message.text)
 

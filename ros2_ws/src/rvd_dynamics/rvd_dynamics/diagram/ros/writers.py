@@ -11,6 +11,8 @@ Not noticed is a writer that comes and goes between two looks.
 
 from collections import Counter
 from collections.abc import Callable
+import os
+from pathlib import Path
 import time
 from typing import Any, NamedTuple
 
@@ -19,7 +21,8 @@ from rvd_dynamics.diagram.roster import ALSO_WRITES, Roster, SECOND_WRITER
 
 LOOK_S = 0.1                    # [s] wall time between two looks at the numbers of writers
 NAMES_S = 1.0                   # [s] wall time between two looks at all names
-NAMELESS_S = 0.3                # [s] wall time in which the node of a new writer becomes known
+# [s] wall time in which the node of a new writer becomes known, for each process that wants a core
+NAMELESS_S = 0.5
 LATE_S = 5.0                    # [s] the same where one of the run's own has not been seen yet
 # [s] wall time that nodes of another run get to leave, which they do when they see this one
 OTHER_RUN_S = 15.0
@@ -27,6 +30,7 @@ UNKNOWN_NODE = '_NODE_NAME_UNKNOWN_'    # rmw: of a writer that was seen before 
 NAMELESS = 'a node without a name'
 OF_ANY_NODE = ('/parameter_events', '/rosout')      # every node of ROS writes on one of them
 MANY = 100                      # strangers that are told: who makes more need not be told of more
+LOAD = Path('/proc/loadavg')
 PREFIX = 12                     # [bytes] of a writer's id: those of its process
 
 
@@ -71,11 +75,15 @@ class Writers:
         Any node in the domain: counts and names writers, and names nodes with their enclaves.
     clock : callable
         Wall time [s].
+    crowd : callable
+        How many processes want each core: names come later then.
     """
 
     def __init__(self, roster: Roster, run_id: str, graph: Any,
-                 clock: Callable[[], float] = time.monotonic) -> None:
+                 clock: Callable[[], float] = time.monotonic,
+                 crowd: Callable[[], float] | None = None) -> None:
         self._roster, self._run_id, self._graph, self._clock = roster, run_id, graph, clock
+        self._crowd = crowd or processes_a_core
         self._counts = dict.fromkeys(roster.topics, 0)
         # Of each topic: the writers that are the run's, by their ids, with their nodes' names.
         self._ours: dict[str, dict[bytes, str]] = {topic: {} for topic in roster.topics}
@@ -86,6 +94,8 @@ class Writers:
         self._found: dict[str, set[bytes]] = {topic: set() for topic in roster.topics}
         self._looked = self._named = float('-inf')
         self._begun_at: float | None = None
+        self._elsewhere: Counter[str] | None = None     # nodes of other runs, in this look
+        self._met = float('-inf')               # when there was one last
         self._neighbours: dict[bytes, set[str]] | None = None   # of each process, in this look
 
     def look(self, begun: bool) -> list[Stranger]:
@@ -98,7 +108,7 @@ class Writers:
         now = self._clock()
         if now - self._looked < LOOK_S:
             return []
-        self._looked, self._neighbours = now, None
+        self._looked, self._neighbours, self._elsewhere = now, None, None
         if begun and self._begun_at is None:
             self._begun_at = now
         every = now - self._named >= NAMES_S
@@ -134,7 +144,7 @@ class Writers:
             elif self._takes(topic, gid, node):
                 ours[gid] = node
                 waiting.pop(gid, None)
-        elsewhere = None                        # nodes of another run, asked for where it matters
+        elsewhere: Counter[str] | None = None   # nodes of another run, asked for where it matters
         found = []
 
         def stranger(gid: bytes, node: str) -> None:
@@ -146,10 +156,11 @@ class Writers:
             guess = '' if node else self._neighbour(gid)
             if guess not in self._names:        # no group of the run's that is still coming up
                 node = guess
-            if node and elsewhere is None:
-                elsewhere = self._of_other_runs()
+            if elsewhere is None:
+                elsewhere = self._of_other_runs().copy()
             before = waiting.get(gid, _Waiting(now, False, ''))
-            of_another = before.of_another_run or bool(node) and elsewhere[node] > 0
+            of_another = before.of_another_run or (
+                elsewhere[node] > 0 if node else now - self._met < OTHER_RUN_S)
             if node and of_another:
                 elsewhere[node] -= 1            # one writer for each such node
             waiting[gid] = _Waiting(before.since, of_another, node or guess or before.seems)
@@ -199,7 +210,7 @@ class Writers:
         if self._begun_at is None:
             return float('inf')
         patience = LATE_S if self._may_come(topic) else NAMELESS_S
-        return max(waiting.since, self._begun_at) + patience
+        return max(waiting.since, self._begun_at) + patience * max(self._crowd(), 1.0)
 
     def _neighbour(self, gid: bytes) -> str:
         """
@@ -222,10 +233,14 @@ class Writers:
 
     def _of_other_runs(self) -> Counter[str]:
         """Return how many nodes of each name are there of another run of `fly`."""
-        return Counter(
-            _name(name, namespace) for name, namespace, enclave
-            in self._graph.get_node_names_and_namespaces_with_enclaves()
-            if enclave != self._run_id and enclave.startswith(AREA))
+        if self._elsewhere is None:
+            self._elsewhere = Counter(
+                _name(name, namespace) for name, namespace, enclave
+                in self._graph.get_node_names_and_namespaces_with_enclaves()
+                if enclave != self._run_id and enclave.startswith(AREA))
+            if self._elsewhere:
+                self._met = self._looked
+        return self._elsewhere
 
 
 def _name(name: str, namespace: str) -> str:
@@ -233,3 +248,12 @@ def _name(name: str, namespace: str) -> str:
     if not name or name == UNKNOWN_NODE:
         return ''
     return name if namespace in ('', '/') else f'{namespace}/{name}'
+
+
+def processes_a_core() -> float:
+    """Return how many processes want each core, now or in the last minute; 0: not known."""
+    try:
+        last_minute, _, _, now, _ = LOAD.read_text(encoding='ascii').split()
+        return max(float(last_minute), float(now.partition('/')[0])) / (os.cpu_count() or 1)
+    except (OSError, ValueError):
+        return 0.0
