@@ -14,12 +14,14 @@ from rclpy.serialization import serialize_message
 from runs import end, in_flight, messages, ROOT, start_rvd, verdict_of, wait_for
 from std_msgs.msg import Bool
 
-from rvd_campaign.flight import fly, second_opinion, verdict
+from rvd_campaign.flight import fly, second_opinion, stick, verdict
 from rvd_campaign.flight.domain import reserved_domain
 from rvd_campaign.flight.supervisor import Supervisor
 from rvd_campaign.flight.watch import FlightWatch
+from rvd_campaign.report.attempt import attempt
 from rvd_campaign.report.run import page
 from rvd_dynamics import verdict_line
+from rvd_dynamics.commands.levels import StickParams
 from rvd_dynamics.diagram.judge import from_message
 from rvd_dynamics.diagram.ros import qos
 from rvd_dynamics.diagram.roster import Roster, SECOND_WRITER
@@ -239,6 +241,16 @@ def test_words_of_messages_and_logs_do_nothing_to_a_terminal(monkeypatch, tmp_pa
     for text in words:
         assert 'docked' in text
         assert all(c.isprintable() or c == '\n' for c in text), ascii(text)
+
+
+def test_nor_do_the_name_of_a_stick_and_what_a_report_fails_of(tmp_path, capsys):
+    def fails(folder):
+        raise RuntimeError(EVIL)
+    attempt(fails, tmp_path, tmp_path / 'log')
+    stick.show(lambda: None, StickParams(), EVIL, True)
+    told = capsys.readouterr()
+    for text in (told.err.partition('\n')[0], told.out.partition('\n')[0]):
+        assert 'gnp.exe' in text and text.isprintable(), ascii(text)
 
 
 def test_verdict_json_and_report_hold_no_raw_control_character(tmp_path, flight):

@@ -22,7 +22,7 @@ from rvd_campaign.exits import CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_INTERRUPT
 from rvd_campaign.flight.domain import reserved_domain
 from rvd_campaign.interrupts import all_like_ctrl_c
 from rvd_dynamics import lifeline
-from rvd_dynamics.bad_input import BadInput
+from rvd_dynamics.bad_input import BadInput, one_line
 from rvd_dynamics.diagram.display import as_data
 from rvd_dynamics.diagram.scenario import Scenario
 from rvd_groundstation.console.forms import with_wishes
@@ -65,7 +65,7 @@ class ConsoleProcess:
             try:
                 self._wishes.put(json.loads(line))
             except ValueError:
-                print(line, end='', flush=True)
+                print(one_line(line.rstrip('\n')), flush=True)
 
     def url(self) -> str:
         """Return the address to open, once there."""

@@ -76,7 +76,7 @@ def chosen(args: argparse.Namespace) -> Scenario:
             raise CannotRun('--operator replay needs --tape FILE (see rvd list tapes)')
         tape = read_tape(settings.tape, settings.tape_topic)    # a bad one is refused at once
         if tape.note:
-            print(f'rvd fly: {tape.note}', file=sys.stderr)
+            print(f'rvd fly: {one_line(tape.note)}', file=sys.stderr)
     return scenario
 
 

@@ -17,6 +17,7 @@ import time
 from rvd_campaign import catalogue
 from rvd_campaign.exits import CannotRun, check_file, EXIT_DONE
 from rvd_campaign.flight.domain import asked_for
+from rvd_dynamics.bad_input import one_line
 from rvd_dynamics.commands.levels import stick_fault, stick_levels, StickParams
 from rvd_dynamics.diagram.params import build, flatten
 from rvd_dynamics.diagram.ros.inputs import HELD_FOR_S
@@ -170,7 +171,7 @@ def show(read: Source, settings: StickParams, name: str, once: bool) -> None:
         while time.monotonic() < until:
             reading = read()
             time.sleep(LOOK_S)
-        picture = lines(reading, settings, name)
+        picture = [one_line(line) for line in lines(reading, settings, name)]
         if before:
             print(f'\x1b[{before}A', end='')
         print(''.join(f'{line}\x1b[K\n' if live else f'{line}\n' for line in picture)

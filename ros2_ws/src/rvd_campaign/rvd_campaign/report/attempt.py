@@ -8,7 +8,7 @@ import shlex
 import sys
 import traceback
 
-from rvd_dynamics.bad_input import BadInput
+from rvd_dynamics.bad_input import BadInput, one_line
 
 
 def attempt(write: Callable[[Path], Path], folder: Path, log: Path) -> None:
@@ -39,5 +39,5 @@ def attempt(write: Callable[[Path], Path], folder: Path, log: Path) -> None:
     else:
         print(made, flush=True)
         return
-    print(f'rvd: no report: {why}', file=sys.stderr)
+    print(f'rvd: no report: {one_line(why)}', file=sys.stderr)
     print(f'rvd: make it again with ./rvd report {shlex.quote(str(folder))}', file=sys.stderr)
