@@ -12,7 +12,8 @@ from rclpy.context import Context
 from rclpy.node import Node
 from rclpy.serialization import serialize_message
 from runs import end, in_flight, messages, ROOT, start_rvd, verdict_of, wait_for
-from std_msgs.msg import Bool
+from std_msgs.msg import Bool, UInt64
+from test_by_hand import Hand
 
 from rvd_campaign.flight import fly, second_opinion, stick, verdict
 from rvd_campaign.flight.domain import reserved_domain
@@ -30,8 +31,9 @@ from rvd_dynamics.recording.messages import files_of, MessageFile
 from rvd_dynamics.recording.reader import newest, read
 from rvd_dynamics.recording.recording import Event
 from rvd_dynamics.verdict_line import VerdictLine
-from rvd_interfaces.msg import RunEvent, Verdict
+from rvd_interfaces.msg import RelativeState, RunEvent, Verdict
 
+TRUTH = '/truth/relative_state'
 DOCKED = Verdict(step=9, final=True, success=True, reason='docked', words='docked', duration=4.5)
 
 
@@ -131,6 +133,29 @@ def test_who_says_how_he_is_beside_a_flight_does_not_end_it(flying, tmp_path):
     assert 'Not to be trusted' not in (tmp_path / 'run' / 'report.html').read_text()
 
 
+@pytest.mark.slow
+@pytest.mark.patient
+def test_a_run_that_was_started_by_hand_is_told_by_its_monitor_and_goes_on(tmp_path):
+    (tmp_path / 's.yaml').write_text(
+        '/**: {ros__parameters: {pace: realtime, operator: none, mode: auto, processes: segments}}')
+    hand = Hand(tmp_path / 's.yaml')
+    try:
+        events, truth = hand.listen('/run/events', RunEvent), hand.listen(TRUTH, RelativeState)
+        hand.start('mission_monitor')
+        hand.start_ring()
+        hand.until(lambda: len(truth) > 2, 'three steps')
+        assert [e.text for e in events if e.code == SECOND_WRITER] == []
+        hand.node.create_publisher(UInt64, '/run/end', qos.of('/run/end'))
+        hand.until(lambda: [e for e in events if e.code == SECOND_WRITER], 'the event')
+        steps = len(truth)
+        hand.until(lambda: len(truth) > steps + 2, 'three steps more')
+        said, = (e for e in events if e.code == SECOND_WRITER)
+        assert (said.node, said.text) == (
+            'mission_monitor', 'a second writer on /run/end: node test_hand')
+    finally:
+        hand.close()
+
+
 # -- the verdict, and the judge asked again -------------------------------------------------------
 
 def test_the_final_verdict_is_that_of_the_line_whatever_is_on_the_topic(own_domain):
@@ -208,7 +233,7 @@ def test_the_judge_says_the_same_over_the_bag_and_says_so_where_it_does_not(flig
     (lambda rows: rows[:5] + rows[6:], 'from step 4 to step 6'), (lambda rows: [], 'step -1')])
 def test_a_bag_without_every_truth_once_is_no_second_opinion(change, why, flight, monkeypatch):
     rows = [stored for file in files_of(flight.run)
-            for stored in MessageFile(file, {'/truth/relative_state'})]
+            for stored in MessageFile(file, {TRUTH})]
     monkeypatch.setattr(second_opinion, 'files_of', lambda _: [None])
     monkeypatch.setattr(second_opinion, 'MessageFile', lambda *_: change(rows))
     told = newest(flight.run, ['/run/verdict'])['/run/verdict']

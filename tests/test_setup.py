@@ -35,7 +35,8 @@ def for_real(test):
 def outside():
     """Return the environment of a user who has not loaded the project, without a ROS 2."""
     names = re.compile(r'VIRTUAL_ENV|PYTHON.*|LD_LIBRARY_PATH|(AMENT|CMAKE|COLCON)_PREFIX_PATH|'
-                       r'ROS_.*|RVD_.*|_ROS_WHEELS_BOOTSTRAP_COMPLETE|CI')
+                       r'ROS_.*|RVD_.*|_ROS_WHEELS_BOOTSTRAP_COMPLETE|CI|'
+                       r'FASTRTPS_.*|SKIP_DEFAULT_XML_FILE')
     ours = {name: value for name, value in os.environ.items() if not names.fullmatch(name)}
     path = [entry for entry in ours['PATH'].split(':') if '/.rvd/' not in entry]
     return {**ours, 'PATH': ':'.join(path), 'RVD_ROS_PREFIX': 'none'}
@@ -486,16 +487,19 @@ def test_a_second_call_has_nothing_to_do_and_starts_no_python(ready, tmp_path):
 @for_real
 def test_the_environment_is_complete_and_its_own(ready):
     project, *_ = ready
-    line = ('echo "$ROS_AUTOMATIC_DISCOVERY_RANGE $OMP_NUM_THREADS $RVD_ROOT"; command -v python; '
+    line = ('echo "$ROS_AUTOMATIC_DISCOVERY_RANGE $FASTRTPS_DEFAULT_PROFILES_FILE $OMP_NUM_THREADS '
+            '$RVD_ROOT"; command -v python; '
             'printf "%s\\n" ${AMENT_PREFIX_PATH//:/ } ${PYTHONPATH//:/ } ${LD_LIBRARY_PATH//:/ }')
     other = {'PYTHONPATH': '/opt/other', 'AMENT_PREFIX_PATH': '/opt/ros/humble',
              'ROS_DISTRO': 'humble'}
     defaults, python, *paths = rvd(project, 'shell', '-c', line, **other).stdout.splitlines()
-    assert defaults == f'LOCALHOST 1 {project}'
+    assert defaults == \
+        f'SYSTEM_DEFAULT {project}/config/fastdds_loopback.xml 1 {project}'
     assert python == f'{project}/.rvd/venv/bin/python'
     assert paths and all(path.startswith(f'{project}/.rvd/') for path in paths)
-    assert rvd(project, 'shell', '-c', 'echo $ROS_AUTOMATIC_DISCOVERY_RANGE',
-               ROS_AUTOMATIC_DISCOVERY_RANGE='SUBNET').stdout == 'SUBNET\n'
+    asked = 'echo $ROS_AUTOMATIC_DISCOVERY_RANGE ${FASTRTPS_DEFAULT_PROFILES_FILE-none}'
+    assert rvd(project, 'shell', '-c', asked,
+               ROS_AUTOMATIC_DISCOVERY_RANGE='SUBNET').stdout == 'SUBNET none\n'
 
 
 @for_real
