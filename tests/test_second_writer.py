@@ -30,7 +30,7 @@ from rvd_dynamics.diagram.scenario import load
 from rvd_dynamics.recording.messages import files_of, MessageFile
 from rvd_dynamics.recording.reader import newest, read
 from rvd_dynamics.recording.recording import Event
-from rvd_dynamics.verdict_line import VerdictLine
+from rvd_dynamics.verdict_line import Message, VerdictLine
 from rvd_interfaces.msg import RelativeState, RunEvent, Verdict
 
 TRUTH = '/truth/relative_state'
@@ -161,7 +161,7 @@ def test_a_run_that_was_started_by_hand_is_told_by_its_monitor_and_goes_on(tmp_p
 def test_the_final_verdict_is_that_of_the_line_whatever_is_on_the_topic(own_domain):
     lines = []
     watch = FlightWatch(Roster(load(ROOT / 'scenarios' / 'paper.yaml')), own_domain, '/',
-                        lambda: serialize_message(lines[0]) if lines else None)
+                        lambda: lines)
     try:
         watch.ready.add('spacecraft_dynamics')
         watch._on_verdict(DOCKED)
@@ -169,9 +169,12 @@ def test_the_final_verdict_is_that_of_the_line_whatever_is_on_the_topic(own_doma
         under_way = Verdict(step=7)
         watch._on_verdict(under_way)
         assert watch.verdict is under_way
-        lines.append(Verdict(step=9, final=True, reason='timeout'))
+        final = Verdict(step=9, final=True, reason='timeout')
+        lines.append(Message(verdict_line.VERDICT, serialize_message(final)))
         watch._on_verdict(DOCKED)
         assert watch.verdict.reason == 'timeout' and watch.verdict.final
+        lines.append(Message(verdict_line.STRANGER, b'a second writer on /joy: node x'))
+        assert watch.strangers == ['a second writer on /joy: node x']
     finally:
         watch.close()
 
@@ -185,29 +188,28 @@ def test_a_forged_verdict_in_the_bag_is_none_of_the_flight(monkeypatch):
     assert flight._outcome() == (None, {})
 
 
-def test_a_verdict_is_taken_from_the_line_whole_or_not_at_all(monkeypatch):
+def test_what_is_told_by_the_line_is_taken_whole_or_not_at_all(monkeypatch):
     line = VerdictLine()
     monkeypatch.setenv(verdict_line.VARIABLE, str(line.writes))
     try:
-        assert line.heard() is None
-        os.write(line.writes, (3).to_bytes(4, 'little') + b'ab')
-        assert line.heard() is None
+        assert line.heard() == []
+        os.write(line.writes, b'V' + (3).to_bytes(4, 'little') + b'ab')
+        assert line.heard() == []
         os.write(line.writes, b'c')
-        assert line.heard() == b'abc'
-        verdict_line.tell(b'another')           # the first counts
-        assert line.heard() == b'abc'
+        verdict_line.tell(b'S', b'')
+        verdict_line.tell(b'S', b'more')
         monkeypatch.setenv(verdict_line.VARIABLE, '99999')
-        verdict_line.tell(b'into nothing')
+        verdict_line.tell(b'V', b'into nothing')
     finally:
         line.handed_over()
         line.close()
-    assert line.heard() == b'abc'
+    assert line.heard() == [(b'V', b'abc'), (b'S', b''), (b'S', b'more')]
 
 
 def test_nobody_waits_for_a_line_that_nobody_reads(monkeypatch):
     line = VerdictLine()
     monkeypatch.setenv(verdict_line.VARIABLE, str(line.writes))
-    verdict_line.tell(b'x'*10_000_000)
+    verdict_line.tell(b'V', b'x'*10_000_000)
     line.handed_over()
     line.close()
 

@@ -31,17 +31,17 @@ class Supervisor:
         self.pids: dict[str, int] = {}
         self.codes: dict[str, int] = {}
         self._ended_by_us: set[str] = set()
-        self._line = verdict_line.VerdictLine()
+        self._verdict_line = verdict_line.VerdictLine()
         command = [str(bringup), str(scenario), str(run_dir)] + ['--headless'] * headless
         self._process = subprocess.Popen(
             command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-            text=True, start_new_session=True, pass_fds=(self._line.writes,),
+            text=True, start_new_session=True, pass_fds=(self._verdict_line.writes,),
             preexec_fn=lambda: lifeline.die_with_parent(signal.SIGTERM), env={
                 **os.environ, 'ROS_DOMAIN_ID': str(domain),
                 'ROS_LOG_DIR': str(run_dir.resolve() / 'logs'),
-                verdict_line.VARIABLE: str(self._line.writes),
+                verdict_line.VARIABLE: str(self._verdict_line.writes),
                 'RVD_PROCESSES': '\n'.join(lines(roster, str(run_dir.resolve()), run_id))})
-        self._line.handed_over()
+        self._verdict_line.handed_over()
         self._lines: queue.Queue[str] = queue.Queue()
         self._reader = threading.Thread(target=self._read, daemon=True)
         self._reader.start()
@@ -90,9 +90,9 @@ class Supervisor:
                 _signal(self.pids[name], signal.SIGTERM)
             self._ended_by_us |= left
 
-    def verdict(self) -> bytes | None:
-        """Return the final verdict as the judge's own process has told it, serialised."""
-        return self._line.heard()
+    def told(self) -> list[verdict_line.Message]:
+        """Return what the judge's own process has told: the final verdict, second writers."""
+        return self._verdict_line.heard()
 
     def complaint(self) -> str:
         """Return what the bring-up itself wrote to stderr."""
@@ -121,7 +121,7 @@ class Supervisor:
             pass
         self._process.wait()
         self._reader.join(1.0)
-        self._line.close()
+        self._verdict_line.close()
         self.poll()
 
 

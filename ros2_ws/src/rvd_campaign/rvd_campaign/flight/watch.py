@@ -24,7 +24,8 @@ from rvd_dynamics.diagram.ros import qos
 from rvd_dynamics.diagram.ros.conversions import ns_of
 from rvd_dynamics.diagram.ros.host import message_type
 from rvd_dynamics.diagram.ros.writers import NAMELESS, Writers
-from rvd_dynamics.diagram.roster import Roster, SECOND_WRITER
+from rvd_dynamics.diagram.roster import Roster
+from rvd_dynamics.verdict_line import Message, STRANGER, VERDICT
 from rvd_interfaces.msg import Verdict
 
 THRUST_COMMAND = 'rvd_interfaces/msg/ThrustCommand'
@@ -47,12 +48,12 @@ class FlightWatch:
     """Follows one run; `spin` it, then ask."""
 
     def __init__(self, roster: Roster, domain: int, run_id: str,
-                 told: Callable[[], bytes | None] = lambda: None) -> None:
+                 told: Callable[[], list[Message]] = list) -> None:
         """
         Join the domain of a run.
 
-        `told`: returns the final verdict, serialised, as the judge's process has told it by a line
-        of its own; None until it has. What is on /run/verdict anybody may have written.
+        `told`: returns what the judge's process has told so far by a line of its own. What is on
+        /run/verdict and /run/events anybody may have written.
         """
         self._run_id, self._told = run_id, told
         self._roster, self._run = roster, roster.scenario.run
@@ -77,7 +78,6 @@ class FlightWatch:
         self._verdict, self._final = None, None
         self._events: list[Any] = []
         self._seen: dict[str, str] = {}         # what was said of a second writer, by topic
-        self._told_in_the_run = False           # as an event, which is in the bag
         self._writers = Writers(roster, run_id, self._node)
         self._waited_for = set(roster.names) - {
             e.name for e in roster.diagram.externals if e.foreign}
@@ -88,7 +88,7 @@ class FlightWatch:
         self._subscribe('/run/ready', self._on_ready)
         self._subscribe('/run/pause', self._on_pause)
         self._subscribe('/run/verdict', self._on_verdict)
-        self._subscribe('/run/events', self._on_event)
+        self._subscribe('/run/events', self._events.append)
 
     def _subscribe(self, topic: str, callback: Any, raw: bool = False) -> None:
         profile = qos.of(topic, self._held)
@@ -114,8 +114,9 @@ class FlightWatch:
     @property
     def verdict(self) -> Any:
         """The last verdict of this run, the final one as its judge told it; None before any."""
-        if self._final is None and (told := self._told()) is not None:
-            self._final = deserialize_message(told, Verdict)
+        if self._final is None:
+            self._final = next((deserialize_message(message.content, Verdict)
+                                for message in self._told() if message.kind == VERDICT), None)
         return self._final or (self._verdict if self.begun else None)
 
     def new_events(self) -> list[Any]:
@@ -146,12 +147,6 @@ class FlightWatch:
         if not message.final:                   # to be shown meanwhile
             self._verdict = message
 
-    def _on_event(self, message: Any) -> None:
-        self._events.append(message)
-        if message.code == SECOND_WRITER and self.begun:    # the monitor sees what this process may miss
-            self._told_in_the_run = True
-            self._note(message.text)
-
     def _note(self, words: str) -> None:
         where = words.partition(': ')[0]
         if where not in self._seen or self._seen[where].endswith(NAMELESS):
@@ -170,13 +165,22 @@ class FlightWatch:
 
     @property
     def strangers(self) -> list[str]:
-        """Sentences that say who wrote where only nodes of the run may; one for each topic."""
+        """
+        Sentences that say who wrote where only nodes of the run may; one for each topic.
+
+        The monitor sees what this process may miss, and the reverse.
+        """
+        for words in self._told_of_strangers():
+            self._note(words)
         return list(self._seen.values())
+
+    def _told_of_strangers(self) -> list[str]:
+        return [message.content.decode() for message in self._told() if message.kind == STRANGER]
 
     def hear_of_strangers(self) -> None:
         """Let the judge's node say who wrote where nobody may: the recorder hears that, too."""
         until = time.monotonic() + TELL_S
-        while not self._told_in_the_run and time.monotonic() < until:
+        while not self._told_of_strangers() and time.monotonic() < until:
             self.spin(GLANCE_S)
 
     def is_written(self, topic: str) -> bool:

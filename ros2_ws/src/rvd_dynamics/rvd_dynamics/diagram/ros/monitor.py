@@ -6,7 +6,7 @@ Publishes   /run/verdict    rvd_interfaces/Verdict, at most 10 a second of wall 
             goes on, and the final one
 
 The final verdict goes to `fly` by a line of its own, too (`verdict_line`): anybody can write on a
-topic. Whoever does is named by the event SECOND_WRITER, and in /diagnostics.
+topic. Whoever does is named there, by the event SECOND_WRITER, and in /diagnostics.
 """
 
 import time
@@ -74,13 +74,15 @@ class MissionMonitor(RunNode):
         header = header_at(self.step * self.run.step_ns, self.run.frame_id)
         message = serialize_message(verdict_to_msg(header, self.step, final, judged))
         if final:
-            verdict_line.tell(message)
+            verdict_line.tell(verdict_line.VERDICT, message)
         self.host.publish(self._out, '/run/verdict', self.step, message)
 
     def _look_at_writers(self) -> None:
         for stranger in self._writers.look(self.host.begun):
             self.trouble[f'{stranger.topic} {stranger.node}'] = stranger.words
             self.event(stranger.code, stranger.words)
+            if stranger.counts:
+                verdict_line.tell(verdict_line.STRANGER, stranger.words.encode())
 
     def on_end(self, final_step: int) -> None:
         """Judge the final truth first, which may still be on its way."""
