@@ -252,6 +252,56 @@ def test_their_writers_may_be_seen_long_before_their_names(graph, look):
     assert told(look(OTHER_RUN_S)) == [('/link/back/status', '')]
 
 
+@pytest.mark.parametrize('processes', ['blocks', 'segments', 'one'])
+def test_of_two_runs_that_come_up_at_once_neither_is_a_stranger_to_the_other(processes):
+    """The other one is seen first, and leaves when it notices this one."""
+    roster = listed(load(SCENARIOS / 'paper.yaml').with_values('/**', processes=processes), True)
+    graph, ours = Graph(roster), Graph(roster)
+    graph.nodes = [(node, place, new_run()) for node, place, _ in graph.nodes]
+    others = {topic: set(of) for topic, of in graph.writers.items()}
+    writers = Writers(roster, RUN, graph, lambda: graph.now, lambda: graph.crowd)
+    assert writers.look(False) == []
+    graph.nodes += ours.nodes
+    for topic, of in ours.writers.items():
+        graph.now += 0.125
+        graph.writers[topic] |= {b'ours' + gid[4:]: node for gid, node in of.items()}
+        assert writers.look(False) == []
+    for topic, of in others.items():
+        graph.now += 0.125
+        for gid in of:
+            graph.go(topic, gid)
+        assert writers.look(False) == []
+    graph.nodes = ours.nodes
+    for _ in range(200):
+        graph.now += 0.125
+        assert writers.look(True) == []
+    graph.come('mission_monitor', '/run/events', enclave='/')
+    graph.now += 0.125
+    assert told(writers.look(True)) == [('/run/events', 'mission_monitor')]
+
+
+@pytest.mark.parametrize('comes', [True, False])
+def test_a_node_of_another_run_that_comes_or_leaves_during_a_look_is_one_of_it(
+        graph, look, comes, monkeypatch):
+    """Nodes and writers are asked for one after the other."""
+    look()
+    node = ('link_back', '/', new_run())
+    topic = '/link/back/status'
+    if comes:
+        graph.come('other', '/run/verdict', enclave=node[2])
+    graph.come('link_back', topic, enclave=None)
+    graph.nodes += [] if comes else [node]
+    asked = graph.get_publishers_info_by_topic
+
+    def meanwhile(of):
+        found = asked(of)
+        if of == topic:
+            graph.nodes[:] = [n for n in graph.nodes if n != node] + [node]*comes
+        return found
+    monkeypatch.setattr(graph, 'get_publishers_info_by_topic', meanwhile)
+    assert look() == []
+
+
 def test_and_who_stays_is_a_stranger(graph, look):
     look()
     graph.come('link_back', '/link/back/status', enclave=new_run())

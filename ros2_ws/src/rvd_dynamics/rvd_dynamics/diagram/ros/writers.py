@@ -94,8 +94,7 @@ class Writers:
         self._found: dict[str, set[bytes]] = {topic: set() for topic in roster.topics}
         self._looked = self._named = float('-inf')
         self._begun_at: float | None = None
-        self._elsewhere: Counter[str] | None = None     # nodes of other runs, in this look
-        self._met = float('-inf')               # when there was one last
+        self._met = float('-inf')               # when a node of another run was there last
         self._neighbours: dict[bytes, set[str]] | None = None   # of each process, in this look
 
     def look(self, begun: bool) -> list[Stranger]:
@@ -108,7 +107,7 @@ class Writers:
         now = self._clock()
         if now - self._looked < LOOK_S:
             return []
-        self._looked, self._neighbours, self._elsewhere = now, None, None
+        self._looked, self._neighbours = now, None
         if begun and self._begun_at is None:
             self._begun_at = now
         every = now - self._named >= NAMES_S
@@ -132,6 +131,9 @@ class Writers:
     # -- one topic --------------------------------------------------------------------------
 
     def _of_topic(self, topic: str, now: float) -> list[Stranger]:
+        # Who comes or leaves while it is asked for is among the nodes before or after that.
+        before_that = self._of_other_runs() if self._waiting[topic] or \
+            self._counts[topic] > len(self._ours[topic]) else Counter()
         there = self._on(topic)
         ours, waiting = self._ours[topic], self._waiting[topic]
         rule = self._roster.may_write(topic)
@@ -157,7 +159,7 @@ class Writers:
             if guess not in self._names:        # no group of the run's that is still coming up
                 node = guess
             if elsewhere is None:
-                elsewhere = self._of_other_runs().copy()
+                elsewhere = before_that | self._of_other_runs()
             before = waiting.get(gid, _Waiting(now, False, ''))
             of_another = before.of_another_run or (
                 elsewhere[node] > 0 if node else now - self._met < OTHER_RUN_S)
@@ -233,14 +235,13 @@ class Writers:
 
     def _of_other_runs(self) -> Counter[str]:
         """Return how many nodes of each name are there of another run of `fly`."""
-        if self._elsewhere is None:
-            self._elsewhere = Counter(
-                _name(name, namespace) for name, namespace, enclave
-                in self._graph.get_node_names_and_namespaces_with_enclaves()
-                if enclave != self._run_id and enclave.startswith(AREA))
-            if self._elsewhere:
-                self._met = self._looked
-        return self._elsewhere
+        found = Counter(
+            _name(name, namespace) for name, namespace, enclave
+            in self._graph.get_node_names_and_namespaces_with_enclaves()
+            if enclave != self._run_id and enclave.startswith(AREA))
+        if found:
+            self._met = self._looked
+        return found
 
 
 def _name(name: str, namespace: str) -> str:
