@@ -24,8 +24,9 @@ CASES = [
     ({**ALONE, reach.PROFILES: f'/another/checkout/{reach.OURS}'}, ALONE, ''),
     ({reach.ONLY_LOCAL: '1'}, ALONE, ''),
     ({reach.STATIC_PEERS: '10.0.0.7'}, {**ALONE, reach.STATIC_PEERS: '10.0.0.7'}, '10.0.0.7'),
-    ({reach.RANGE: 'SUBNET'}, {reach.RANGE: 'SUBNET'}, f'{reach.RANGE}=SUBNET: open to the network'),
-    ({**ALONE, reach.RANGE: 'SUBNET'}, {reach.RANGE: 'SUBNET', reach.SKIP: '1'}, 'open to the network'),
+    ({reach.RANGE: 'SUBNET'}, {reach.RANGE: 'SUBNET'}, 'RANGE=SUBNET: open to the network'),
+    ({**ALONE, reach.RANGE: 'SUBNET'}, {reach.RANGE: 'SUBNET', reach.SKIP: '1'},
+     'open to the network'),
     ({reach.RANGE: 'SYSTEM_DEFAULT'}, {reach.RANGE: 'SYSTEM_DEFAULT'}, 'open to the network'),
     ({reach.PROFILES: '/my.xml'}, {reach.RANGE: 'LOCALHOST', reach.PROFILES: '/my.xml'}, '/my.xml'),
     ({**ALONE, 'RMW_IMPLEMENTATION': 'rmw_cyclonedds_cpp'},
@@ -62,7 +63,7 @@ def test_the_environment_of_a_shell_is_that_of_a_flight(given, becomes, _):
     assert {name: found[name] for name in NAMES if name in found} == becomes
 
 
-# -- the sockets of a process ------------------------------------------------------------------------
+# -- the sockets of a process ---------------------------------------------------------------------
 
 NODE = """
 import os, rclpy
@@ -98,7 +99,7 @@ def test_no_socket_of_a_node_is_bound_to_anything_but_loopback(alone, own_domain
         assert {address for _, address in sockets} == {LOCAL}
 
 
-# -- another machine -----------------------------------------------------------------------------------
+# -- another machine ------------------------------------------------------------------------------
 
 # What a stranger with `ROS_STATIC_PEERS` sees of a run and can do to it, as JSON.
 STRANGER = """
