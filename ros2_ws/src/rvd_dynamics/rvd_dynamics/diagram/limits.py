@@ -52,8 +52,7 @@ def checker(signal: Signal, optional: tuple = ()) -> Callable[[Any, int], str]:
     A covariance that may be left out is looked at where `optional` names it, since it takes longest.
     """
     tests = [(i, part.name, test) for i, part in enumerate(signal.parts)
-             for test in _tests(part) if not (part.spread and part.optional
-                                              and part.name not in optional)]
+             for test in _tests(part, not part.optional or part.name in optional)]
     names = [part.name for part in signal.parts]
     known = names.index('state') if {'state', 'valid'} <= set(names) else -1
     valid = names.index('valid') if known >= 0 else -1
@@ -71,14 +70,14 @@ def checker(signal: Signal, optional: tuple = ()) -> Callable[[Any, int], str]:
     return complaint
 
 
-def _tests(part: Part) -> list[Test]:
-    """Return what a part must pass, cheapest first."""
+def _tests(part: Part, used: bool) -> list[Test]:
+    """Return what a part must pass."""
     if part.dtype == 'O':
         return []
     kind = np.dtype(part.dtype).kind
     found: list[Test] = []
     if kind == 'f' and part.spread:
-        return [_covariance]
+        return [_covariance if used else _no_number_beyond]
     if part.codes:
         found.append(_one_of(part))
     elif kind == 'f' or _narrower(part):
@@ -129,14 +128,20 @@ def _counted(given: Any, step: int) -> str:
     return ''
 
 
-def _covariance(given: NDArray, _: int) -> str:
+def _no_number_beyond(given: NDArray, _: int) -> str:
+    if (np.abs(given) > LARGEST).any():
+        return f'must be from {-LARGEST:g} to {LARGEST:g}, got {given[np.abs(given) > LARGEST][0]:g}'
+    return ''
+
+
+def _covariance(given: NDArray, step: int) -> str:
     """Say what keeps numbers (..., n, n) from being covariances."""
-    n = given.shape[-1]
-    if given.ravel()[0] != given.ravel()[0]:
-        return ''                               # nothing is estimated: what follows says nothing
+    n, beyond = given.shape[-1], _no_number_beyond(given, step)
+    if beyond or given.ravel()[0] != given.ravel()[0]:
+        return beyond                           # or nothing is estimated: the rest says nothing
     rows = given.reshape(-1, n, n)
-    if not (np.abs(rows) <= LARGEST).all():
-        return f'must be from {-LARGEST:g} to {LARGEST:g}, or NaN from its first element on'
+    if np.isnan(rows).any():
+        return 'must be NaN from its first element on where nothing is estimated'
     variance = np.diagonal(rows, 0, 1, 2)
     if not (variance >= 0.0).all():
         return f'is no covariance: a variance is {variance.min():g}'
