@@ -17,6 +17,7 @@ from typing import Any, Callable
 from rvd_campaign import catalogue
 from rvd_campaign.cpu import cpu_s
 from rvd_campaign.flight import verdict
+from rvd_dynamics.bad_input import one_line
 from rvd_dynamics.recording import drawing, reader
 from rvd_campaign.exits import (
     CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_FAILED, EXIT_FAULT, EXIT_INTERRUPTED)
@@ -303,10 +304,12 @@ class Flight:
     def _owing(self) -> str:
         """Say which nodes owe a message, and in which process they are if it is not their own."""
         owing = self._watch.who_owes()
-        homes = dict.fromkeys(self._roster.process_of[name] for name in owing)
+        homes = dict.fromkeys(self._roster.process_of.get(name, name) for name in owing)
         shared = '' if list(homes) == owing else f' (process {", ".join(homes)})'
         verb = 'owe' if len(owing) > 1 else 'owes'
-        return f'{", ".join(owing) or "no node"}{shared} {verb} a message'
+        refused = ''.join(f'; {name} refused {one_line(text)}'
+                          for name, text in self._watch.refused.items())
+        return f'{", ".join(owing) or "no node"}{shared} {verb} a message{refused}'
 
     @staticmethod
     def _is_final(judged: Any) -> bool:

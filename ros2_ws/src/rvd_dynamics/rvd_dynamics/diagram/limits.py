@@ -64,7 +64,7 @@ def checker(signal: Signal, optional: tuple = ()) -> Callable[[Any, int], str]:
                 why = test(given, step)
                 if why:
                     return f'{name} {why}'
-        if known >= 0 and value[valid] and np.isnan(value[known]).any():
+        if known >= 0 and value[valid] and any(x != x for x in _numbers(value[known])):
             return 'state must be known where valid is true, got NaN'
         return ''
     return complaint
@@ -94,7 +94,9 @@ def _narrower(part: Part) -> bool:
 
 
 def _numbers(given: Any) -> list:
-    return np.ravel(given).tolist()
+    if isinstance(given, np.ndarray) and given.ndim:
+        return given.ravel().tolist()
+    return [given.item() if isinstance(given, (np.generic, np.ndarray)) else given]
 
 
 def _within(part: Part) -> Test:
@@ -156,8 +158,8 @@ def _covariance(given: NDArray, step: int) -> str:
     return ''
 
 
-def whole(numbers: NDArray, dtype: np.dtype) -> bool:
-    """Say whether floats are values of a type of whole numbers, or of flags."""
-    low, high = (0, 1) if dtype.kind == 'b' else (
-        max(int(np.iinfo(dtype).min), -EXACT), min(int(np.iinfo(dtype).max), EXACT))
-    return bool(((numbers >= low) & (numbers <= high) & (numbers == np.rint(numbers))).all())
+def held_by(dtype: np.dtype) -> tuple[int, int]:
+    """Return the least and the largest whole number of a type, or of flags, that a float64 holds."""
+    if dtype.kind == 'b':
+        return 0, 1
+    return max(int(np.iinfo(dtype).min), -EXACT), min(int(np.iinfo(dtype).max), EXACT)

@@ -23,7 +23,7 @@ from rvd_dynamics.commands.levels import (
     HIGHEST, stick_axes, stick_fault, stick_levels, StickParams)
 from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.diagram.ros.conversions import header_at, NAN, state_from_msg
-from rvd_dynamics.diagram.limits import checker, whole
+from rvd_dynamics.diagram.limits import checker, held_by
 from rvd_dynamics.diagram.ros.wire import Layout
 from rvd_dynamics.diagram.run import Legs, Run
 from rvd_dynamics.diagram.signal import Signal
@@ -110,7 +110,13 @@ class Parts(Codec):
             f'{part.name}[{",".join(map(str, part.shape))}]' if part.shape else part.name
             for part in signal.parts)
         self._starts = [part.filled(()) for part in signal.parts]
-        self._sizes = [int(np.prod(part.shape, dtype=int)) for part in signal.parts]
+        sizes = [int(np.prod(part.shape, dtype=int)) for part in signal.parts]
+        self._size, self._slices, at = sum(sizes), [], 0
+        for size in sizes:
+            self._slices.append(slice(at, at + size))
+            at += size
+        self._whole = [None if start.dtype.kind == 'f' else held_by(start.dtype)
+                       for start in self._starts]
 
     def encode(self, k: int, value: Any) -> Values:
         """Return the message of a value; ValueError if a part is not of its shape."""
@@ -133,17 +139,20 @@ class Parts(Codec):
         if message.layout != self._layout:
             raise BadInput(f'{self.signal.name} must hold {self._layout}, got '
                            f'{message.layout[:len(self._layout) + 20]}')
-        if len(message.values) != sum(self._sizes):
-            raise BadInput(f'{self.signal.name} must hold {sum(self._sizes)} numbers, got '
+        if len(message.values) != self._size:
+            raise BadInput(f'{self.signal.name} must hold {self._size} numbers, got '
                            f'{len(message.values)}')
-        made, at, numbers = [], 0, np.array(message.values)
-        for part, start, size in zip(self.signal.parts, self._starts, self._sizes):
-            given = numbers[at:at + size].reshape(part.shape)
-            if start.dtype.kind != 'f' and not whole(given, start.dtype):
-                raise BadInput(f'{part.name} must be whole numbers of type {start.dtype}, got '
-                               f'{given.ravel()[:8].tolist()}')
-            made.append(given.astype(start.dtype))
-            at += size
+        made, numbers = [], np.array(message.values)
+        for part, start, where, whole in zip(self.signal.parts, self._starts, self._slices,
+                                             self._whole):
+            given = numbers[where]
+            if whole is not None:
+                low, high = whole
+                for x in given.tolist():
+                    if not (low <= x <= high and x == int(x)):
+                        raise BadInput(f'{part.name} must be whole numbers from {low} to {high}, '
+                                       f'got {x:g}')
+            made.append(given.reshape(part.shape).astype(start.dtype))
         return self.signal.type(*made)
 
 
