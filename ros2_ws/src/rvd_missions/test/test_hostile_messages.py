@@ -263,6 +263,24 @@ def test_the_world_is_moved_by_its_own_clock_alone(pace):
         node.close()
 
 
+@pytest.mark.parametrize('pace', ['lockstep', 'realtime'])
+def test_a_command_of_a_step_that_was_there_is_not_taken_for_one_that_comes_late(pace):
+    def predicted(attacked):
+        node = Alone('state_predictor', pace)
+        try:
+            for k in range(20):
+                node.step(k)
+                if attacked and k > 3:
+                    again = good(node.of, node.signals['/ground/command'], k - 2)
+                    again.levels[:] = [3, -3, 3]
+                    node.hear('/ground/command', again)
+            assert node.node.late_count == 0
+            return [entry for entry in node.outputs()]
+        finally:
+            node.close()
+    assert predicted(True) == predicted(False)
+
+
 def test_what_a_run_says_about_itself_is_held_against_what_can_be():
     node = Alone('spacecraft_dynamics')
     try:
@@ -400,6 +418,39 @@ def test_the_recorder_keeps_its_time_and_its_count(tmp_path):
     finally:
         node.node.close()
         node.close()
+
+
+def test_the_console_shows_what_can_be_and_nothing_else():
+    from rvd_groundstation.console.node import ConsoleNode
+    of, posts = parse('/**: {ros__parameters: {timeout_s: 20.0, operator: console, '
+                      'joy_input: held, pace: realtime}}', 'watched'), []
+    host = Host(SimpleNamespace(name='console', scenario=of, run_id='/', text=lambda: ''))
+    host.event = host.publish = lambda *args, **more: None
+    node = ConsoleNode(host, SimpleNamespace(post=lambda *what: posts.append(what)), None)
+    try:
+        node.connect()
+        signals, topics = of.diagram.signals, host.roster.topics
+        for topic, subscription in node.subscriptions_of.items():
+            if topic in ('/run/verdict', '/run/pause'):
+                continue
+            kind = message_type(topics[topic])
+            honest = good(of, signals[topic], 1) if topic in signals and signals[topic].codec \
+                else kind()
+            for i, (_, attack) in enumerate(attacks(honest, 1)):
+                data = serialize_message(attack)
+                subscription.callback(data if subscription.raw else attack)
+                if subscription.raw:
+                    node._decode_newest()
+                    subscription.callback(hostile.broken(data[:2000], i))
+                    node._decode_newest()
+                host.raise_error()
+        shown = [what[2] for what in posts if what[0] == 'signal']
+        assert shown and node.step <= 40 and len(node.refused_count) >= 5
+        for sample in shown:
+            found = numbers([np.asarray(v, float) for v in sample.parts.values()])
+            assert not np.isinf(found).any() and sample.step <= of.run.last_step
+    finally:
+        node.destroy_node()
 
 
 # -- without the boundary -----------------------------------------------------------------------

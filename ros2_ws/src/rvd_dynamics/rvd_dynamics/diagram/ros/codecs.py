@@ -326,6 +326,9 @@ class _Command(Codec):
             given = getattr(message, name)
             if given > most:
                 return f'{name} must be 0 to {most}, got {given}'
+        weight = message.pilot_weight
+        if not 0.0 <= weight <= 1.0 and weight == weight:
+            return f'pilot_weight must be 0 to 1 or NaN, got {weight:g}'
         return ''
 
 

@@ -140,12 +140,8 @@ class FiringNode(RunNode):
         """Take in what the writer of an input wrote in `step`."""
         given, period = self._inputs[name], self.block.period
         if step < given.need:
-            first = given.first_use(step, period)
-            if first < self._next and given.wanted(first) == step:     # fired without it
-                self.late_count += 1
-                self.trouble['late'] = f'{self.late_count} messages came after their step'
-                if given.keeps_late:
-                    self._keep_late(given, step, item)
+            if step in given.missed:            # of a step that was there nobody needs another
+                self._take_late(given, step, item)
             return
         try:
             if not given.local:
@@ -188,11 +184,18 @@ class FiringNode(RunNode):
         finally:
             self._taking = False
 
-    def _keep_late(self, given: Input, step: int, item: Any) -> None:
+    def _take_late(self, given: Input, step: int, item: Any) -> None:
+        """Count what a firing had to do without, and keep it for a block that asks for it."""
         try:
-            given.late[step] = item if given.local else given.taken(step, item)
+            item = item if given.local else given.taken(step, item)
         except Refused as why:
             self.refuse(given.topic, str(why))
+            return
+        del given.missed[step]
+        self.late_count += 1
+        self.trouble['late'] = f'{self.late_count} messages came after their step'
+        if given.keeps_late:
+            given.late[step] = item
 
     def _look_at_gate(self) -> None:
         self._gate.open = self._last.there()

@@ -8,6 +8,7 @@ from rclpy.callback_groups import CallbackGroup
 from rvd_dynamics.diagram.block import Read
 from rvd_dynamics.diagram.ros import boundary
 from rvd_dynamics.diagram.ros.horizon import Horizon, stamped_with_wall_time
+from rvd_dynamics.diagram.ros.qos import DEPTH
 from rvd_dynamics.diagram.run import Run
 
 JOY = 'sensor_msgs/msg/Joy'
@@ -45,6 +46,8 @@ class Input:
         What has come, by step: a value, or a frame as it is.
     late : dict
         What came after the firing that was to have it, for a block that asks for it.
+    missed : dict
+        Steps that a firing had to do without, and that may still come; the newest DEPTH.
     local : bool
         Its writer is in this process: what it hands over needs no look.
     """
@@ -55,6 +58,7 @@ class Input:
         self.delay, self.period, self.codec = read.delay, period, codec
         self.held: dict[int, Any] = {}
         self.late: dict[int, Any] = {}
+        self.missed: dict[int, None] = {}
         self.keeps_late = bool(read.late)
         self.local = False
         self._horizon = Horizon(run, last_step, period)
@@ -132,6 +136,10 @@ class Input:
     def advance(self, k: int) -> None:
         """Turn to firing k, and drop what neither it nor a later one needs."""
         need = self.wanted(k)
+        if not self.there():
+            self.missed[self.need] = None
+            if len(self.missed) > DEPTH:
+                del self.missed[next(iter(self.missed))]
         for step in range(max(self.need, 0), need):
             self.held.pop(step, None)
         self.need = need
