@@ -59,6 +59,8 @@ def chosen(args: argparse.Namespace) -> Scenario:
     if operator and scenario.has_shared('operator'):
         shared['operator'] = operator
         shared['joy_input'] = 'held' if operator in ('joy', 'console') else 'stepped'
+        if operator == 'joy' and not args.operator:     # a pilot of your own may answer each step
+            shared['joy_input'] = scenario.sections.get('/**', {}).get('joy_input', 'held')
     if args.mode:
         shared['mode'] = args.mode
     if args.seed is not None:
