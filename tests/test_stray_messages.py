@@ -1,8 +1,11 @@
 """One message with an impossible step, to a real node in real time: left out, said, flown on."""
 
+from argparse import Namespace
+
 import pytest
 from test_by_hand import Hand
 
+from rvd_campaign.flight.fly import chosen
 from rvd_dynamics.diagram.ros import qos
 from rvd_interfaces.msg import RelativeState, RunEvent, ThrustCommand
 
@@ -33,3 +36,14 @@ def test_a_node_in_real_time_answers_after_a_message_from_beyond_the_run(step, t
         assert all(word in events[0].text for word in (topic, str(step), '400'))
     finally:
         hand.close()
+
+
+@pytest.mark.parametrize('flags, told, wanted', [
+    ({}, 'joy_input: stepped, ', 'stepped'), ({}, 'pace: realtime, ', 'held'),
+    ({'operator': 'joy', 'pace': '1'}, 'joy_input: stepped, ', 'held')])
+def test_a_pilot_of_ones_own_may_answer_every_step_of_a_flight(flags, told, wanted, tmp_path):
+    scenario = tmp_path / 'pilot.yaml'
+    scenario.write_text('/**: {ros__parameters: {%soperator: joy}}' % told)
+    nothing = dict.fromkeys(('operator', 'pace', 'processes', 'mode', 'tape', 'tape_topic', 'seed'))
+    args = Namespace(**{**nothing, 'scenario': str(scenario), **flags})
+    assert chosen(args).part('operation').joy_input == wanted

@@ -260,3 +260,14 @@ def test_a_recorder_that_is_far_behind_owes(processes):
     assert 'bag_recorder' in roster.who_owes(last)
     last['/run/recorded_step'] += 1
     assert 'bag_recorder' not in roster.who_owes(last)
+
+
+def test_a_pilot_who_answers_every_step_and_says_nothing_is_the_one_that_owes():
+    roster = whole(('joy', 'stepped', 'corridor_apf', 'blocks'))
+    assert 'external_stick' in roster.names
+    last = {topic: 0 for name in roster.names for topic in roster.emits(name)}
+    for topic in roster.emits('command_blender') + roster.emits('link_forward') \
+            + roster.emits('onboard_guard'):
+        last[topic] = -1
+    assert roster.who_owes(last) == ['external_stick']
+    assert roster.who_owes({**last, '/joy': 0}) == ['command_blender']      # that one has it all

@@ -59,6 +59,8 @@ def chosen(args: argparse.Namespace) -> Scenario:
     if operator and scenario.has_shared('operator'):
         shared['operator'] = operator
         shared['joy_input'] = 'held' if operator in ('joy', 'console') else 'stepped'
+        if operator == 'joy' and not args.operator:     # a pilot of your own may answer each step
+            shared['joy_input'] = scenario.sections.get('/**', {}).get('joy_input', 'held')
     if args.mode:
         shared['mode'] = args.mode
     if args.seed is not None:
@@ -318,10 +320,12 @@ class Flight:
     def _owing(self) -> str:
         """Say which nodes owe a message, and in which process they are if it is not their own."""
         owing = self._watch.who_owes()
-        homes = dict.fromkeys(self._roster.process_of[name] for name in owing)
+        homes = dict.fromkeys(self._roster.process_of.get(name, name) for name in owing)
         shared = '' if list(homes) == owing else f' (process {", ".join(homes)})'
         verb = 'owe' if len(owing) > 1 else 'owes'
-        return f'{", ".join(owing) or "no node"}{shared} {verb} a message'
+        refused = ''.join(f'; {name} refused {one_line(text)}'
+                          for name, text in self._watch.refused.items())
+        return f'{", ".join(owing) or "no node"}{shared} {verb} a message{refused}'
 
     @staticmethod
     def _is_final(judged: Any) -> bool:

@@ -81,6 +81,7 @@ class FlightWatch:
         self._writers = Writers(roster, run_id, self._node)
         self._waited_for = set(roster.names) - {
             e.name for e in roster.diagram.externals if e.foreign}
+        self.refused: dict[str, str] = {}       # by node: what it said last that it had left out
         self._steps = 0                         # truth messages looked at
         self.progress_at = time.monotonic()     # when the last one came
         for topic in filter(None, (self._truth, self._command, self._back)):
@@ -88,7 +89,7 @@ class FlightWatch:
         self._subscribe('/run/ready', self._on_ready)
         self._subscribe('/run/pause', self._on_pause)
         self._subscribe('/run/verdict', self._on_verdict)
-        self._subscribe('/run/events', self._events.append)
+        self._subscribe('/run/events', self._on_event)
 
     def _subscribe(self, topic: str, callback: Any, raw: bool = False) -> None:
         profile = qos.of(topic, self._held)
@@ -142,6 +143,11 @@ class FlightWatch:
     def _on_pause(self, message: Any) -> None:
         self.paused = message.data
         self.progress_at = time.monotonic()
+
+    def _on_event(self, event: Any) -> None:
+        self._events.append(event)
+        if event.code == 'REFUSED' and event.node in self._roster.names:
+            self.refused[event.node] = event.text
 
     def _on_verdict(self, message: Any) -> None:
         if not message.final:                   # to be shown meanwhile
@@ -222,7 +228,8 @@ class FlightWatch:
         def note(topic: str, kind: type):
             def take(data: bytes) -> None:
                 step = step_of(deserialize_message(data, kind), self._run.step_ns)
-                last[topic] = max(step, last.get(topic, -1))
+                if step <= self._run.last_step:         # of this run, and no stranger's
+                    last[topic] = max(step, last.get(topic, -1))
             return take
 
         topics = {t for name in self._roster.names for t in self._roster.emits(name)}

@@ -53,7 +53,9 @@ def thruster_form(scenario: Scenario) -> CommandForm:
 def part(form: CommandForm) -> Part:
     """Return the part of a signal that carries commands of a form of thrusters."""
     kind = form.neutral.dtype
-    return Part('command', form.neutral.shape, UNITS[kind.kind], kind.str[1:], initial=0.0)
+    most = getattr(form, 'max_m_s2', None) if kind.kind == 'f' else None
+    return Part('command', form.neutral.shape, UNITS[kind.kind], kind.str[1:], initial=0.0,
+                low=None if most is None else -most, high=most)
 
 
 def thrusters(max_m_s2: float) -> type:

@@ -18,6 +18,7 @@ import socket
 import uuid
 
 AREA = '/rvd/'
+READY = re.compile(r'[A-Za-z0-9_]{1,255}( /rvd/[A-Za-z0-9_]{1,255}/run_[0-9a-f]{32})?')
 LARGEST_DOMAIN = 232            # a larger ROS_DOMAIN_ID has no ports (DDSI-RTPS 9.6.1.4)
 
 
@@ -44,6 +45,11 @@ def in_words(run: str) -> str:
 def ready_words(node: str, run: str) -> str:
     """Return what a node of a run says on /run/ready."""
     return f'{node} {run}' if run.startswith(AREA) else node
+
+
+def is_ready_words(words: str) -> bool:
+    """Say whether that is what a node says on /run/ready: its name, and its run if any."""
+    return READY.fullmatch(words) is not None
 
 
 def who_is_ready(words: str, run: str) -> tuple[str, str]:

@@ -249,7 +249,8 @@ class Roster:
         Name the nodes whose inputs are complete and whose output is missing.
 
         `last` is the last step seen on each topic (-1: nothing yet). In lock step the world also
-        waits for a recorder that is RECORDER_LEAD steps behind: then that one owes.
+        waits for a recorder that is RECORDER_LEAD steps behind: then that one owes. Where no block
+        does, whoever is waited for and is none: a pilot who answers every step.
         """
         def seen(topic: str) -> int:
             return last.get(topic, -1)
@@ -272,7 +273,10 @@ class Roster:
             if all(seen(read.signal.name) >= self.needed(read, due)
                    for read in block.reads.values() if not read.held):
                 owing.append(name)
-        return owing
+        return owing or [name for name, external in self.externals.items()
+                         if name in self.names and any(
+                             read.signal.name in external.writes and not read.held
+                             for block in self.blocks.values() for read in block.reads.values())]
 
     def needed(self, read: Read, due: int) -> int:
         """Return the step of the writer whose output a block needs for its firing `due`."""

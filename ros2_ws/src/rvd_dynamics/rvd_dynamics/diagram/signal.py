@@ -41,6 +41,16 @@ class Part:
         (NaN), zero or false unless given.
     optional : bool
         Computed only where a block or a recording asks for it; None elsewhere.
+    low, high : float
+        [unit] Between these every number lies; see `diagram.limits` for what holds where they are
+        not given.
+    codes : tuple of int
+        The only values there are, of a part that is a code.
+    counts : bool
+        It rises by one per step at most, from 0 or below: never above step + 1.
+    spread : bool
+        A covariance (..., n, n): symmetric and positive semi-definite; its first element is NaN
+        where nothing is estimated.
     """
 
     name: str
@@ -49,6 +59,11 @@ class Part:
     dtype: str = 'f8'
     initial: float | None = None
     optional: bool = False
+    low: float | None = None
+    high: float | None = None
+    codes: tuple = ()
+    counts: bool = False
+    spread: bool = False
 
     def filled(self, batch: tuple) -> np.ndarray:
         """Return the initial value for a batch."""

@@ -15,12 +15,15 @@ FRAME = 'rvd_interfaces/msg/LinkFrame'
 
 KIND = Part('kind', (), 'KIND_*', 'u1', KIND_THRUST)
 RECEIVED = Part('received', (), '', '?')
+# number of the frame in which a command came: the ground sends one a step, the first is 1
+SEQUENCE = Part('sequence', (), '', 'i8', optional=True, low=0, counts=True)
 
 
 def downlink(state: Part) -> Signal:
     """Return what the craft sends down: a state, and what became of the commands."""
     return Signal('/onboard/downlink', (
-        state, Part('accepted', (), 'sequence', 'i8', optional=True),
+        state, Part('accepted', (), 'sequence', 'i8', optional=True, low=0,
+                    counts=True),
         Part('refusal', (), 'REASON_*', 'u1', optional=True)), FRAME, f'{CODECS}:Downlink')
 
 
@@ -39,7 +42,7 @@ def arrival(command: Part) -> Signal:
     """Return what comes up, as the guard reads it."""
     return Signal('/onboard/command', (
         command, KIND, RECEIVED, Part('reason', (), 'REASON_*', 'u1', optional=True),
-        Part('sequence', (), '', 'i8', optional=True)), FRAME, f'{CODECS}:Arrival')
+        SEQUENCE), FRAME, f'{CODECS}:Arrival')
 
 
 def thrust(command: Part, message: str = VALUES, codec: str = f'{CODECS}:Parts') -> Signal:
@@ -48,7 +51,7 @@ def thrust(command: Part, message: str = VALUES, codec: str = f'{CODECS}:Parts')
         command, Part('kind', (), 'KIND_*', 'u1', optional=True),
         Part('valid', (), '', '?', optional=True),
         Part('reason', (), 'REASON_*', 'u1', optional=True),
-        Part('sequence', (), '', 'i8', optional=True),
+        SEQUENCE,
         Part('decided_by', (), 'BY_*', 'u1', optional=True)), message, codec)
 
 

@@ -67,6 +67,10 @@ class StepLedger:
         self.missing[topic] = 0
         self._period[topic] = period
 
+    def due(self, topic: str) -> int:
+        """Return the step of the next message of a topic."""
+        return self.last[topic] + self._period[topic]
+
     def saw(self, topic: str, step: int) -> None:
         """Note a message; one that comes late does not close the gap it left."""
         last = self.last[topic]

@@ -12,6 +12,7 @@ import re
 from typing import Any
 
 from rvd_dynamics.commands.codes import BY_AUTO, KIND_THRUST, REASON_NONE
+from rvd_dynamics.diagram.limits import LARGEST
 from rvd_dynamics.diagram.signal import VALUES
 from rvd_dynamics.link.frame import Downlink, unpack_downlink
 
@@ -63,8 +64,10 @@ def telemetry_of(frame: Any, step_s: float, width: int,
     if frame.empty:
         return Lost(frame.step, EMPTY)
     content = unpack_downlink(bytes(frame.payload), width)
-    if not isinstance(content, Downlink) or not all(map(math.isfinite, content.state)):
-        return Lost(frame.step, getattr(content, 'name', 'NAN'))
+    if not isinstance(content, Downlink):
+        return Lost(frame.step, content.name)
+    if not all(abs(number) <= LARGEST for number in content.state):
+        return Lost(frame.step, 'NAN' if any(map(math.isnan, content.state)) else 'RANGE')
     sample = Sample(frame.step, content.generated_ns / NS_PER_S, True, named(list(content.state)),
                     received=frame.step * step_s,
                     transit=(frame.arrived - frame.sent) / NS_PER_S)

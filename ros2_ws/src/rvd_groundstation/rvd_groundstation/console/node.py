@@ -9,7 +9,6 @@ from typing import Any, Callable
 
 import rclpy
 from rclpy.node import Node
-from rclpy.serialization import deserialize_message
 from rclpy.signals import SignalHandlerOptions
 from sensor_msgs.msg import Joy
 from std_msgs.msg import Bool
@@ -18,7 +17,9 @@ from rvd_dynamics.diagram.control import MODE_EVENT
 from rvd_dynamics.diagram.judge import for_page, from_message
 from rvd_dynamics.diagram.params import leaves
 from rvd_dynamics.diagram.ros.arguments import Arguments, parsed
+from rvd_dynamics.diagram.ros.boundary import content, read, Refused
 from rvd_dynamics.diagram.ros.conversions import header_at
+from rvd_dynamics.diagram.ros.horizon import Horizon
 from rvd_dynamics.diagram.ros.host import Host, listen_for_the_end, message_type
 from rvd_dynamics.diagram.ros.node import RunNode
 from rvd_dynamics.diagram.ros.params import declare
@@ -70,6 +71,9 @@ class ConsoleNode(RunNode):
         # What is displayed, and what the writers of this run wait for the console to hear.
         heard = ({*display.parts(), *self.provider.derives_from} & set(signals)
                  | set(self.roster.reads(NAME)) - set(RUN_TOPICS))
+        self._signals = signals
+        self._taken: dict[str, Callable] = {}   # by topic: what of a message can be
+        self._horizon = Horizon(self.run, self.run.last_step)
         self._kinds = {topic: topics[topic] for topic in sorted(heard)
                        if topic not in (*self.provider.sticks, LINK, display.commands.sent)
                        and not (self._framed and topic == display.measured)}
@@ -96,11 +100,30 @@ class ConsoleNode(RunNode):
             self._raw[topic] = data
         return keep
 
+    def _can_be(self, topic: str, message: Any) -> bool:
+        """Say whether a message can be one of this run; one that cannot is left out."""
+        step, signal = message.step, self._signals.get(topic)
+        try:
+            if not self._horizon.believes(step, self.step):
+                raise Refused(self._horizon.words(step, self.step))
+            if signal is not None:
+                if topic not in self._taken:
+                    self._taken[topic] = content(signal, self.codec_of(signal), ('covariance',))
+                self._taken[topic](step, message)
+        except Refused as why:
+            self.refuse(topic, str(why))
+            return False
+        return True
+
     def _on_telemetry(self, frame: LinkFrame) -> None:
+        if not self._can_be(self.provider.display.measured, frame):
+            return
         self._hub.post('telemetry', telemetry_of(frame, self.run.step_s, self._width,
                                                  self.provider.measured))
 
     def _on_command(self, command: Any) -> None:
+        if not self._can_be(self.provider.display.commands.sent, command):
+            return
         self.step, self._command_at = command.step, time.monotonic()
         if self._command_at - self._decoded_at >= DECODE_S:
             self._decoded_at = self._command_at
@@ -111,14 +134,23 @@ class ConsoleNode(RunNode):
     def _decode_newest(self) -> None:
         raw, self._raw = self._raw, {}
         for topic, data in raw.items():
-            if topic == LINK:
-                self._hub.post('link', link_of(deserialize_message(data, LinkStatus)))
-                continue
-            kind = self._kinds[topic]
-            if kind in SAMPLES:
-                sample = SAMPLES[kind](deserialize_message(data, message_type(kind)))
-                if sample is not None:
-                    self._hub.post('signal', topic, sample)
+            try:
+                self._post_newest(topic, data)
+            except Refused as why:
+                self.refuse(topic, str(why))
+
+    def _post_newest(self, topic: str, data: bytes) -> None:
+        if topic == LINK:
+            status = read(data, LinkStatus)
+            if self._can_be(LINK, status):
+                self._hub.post('link', link_of(status))
+            return
+        kind = self._kinds[topic]
+        if kind in SAMPLES:
+            message = read(data, message_type(kind))
+            sample = SAMPLES[kind](message) if self._can_be(topic, message) else None
+            if sample is not None:
+                self._hub.post('signal', topic, sample)
 
     def _on_event(self, event: RunEvent) -> None:
         if event.node in self.provider.heard_nodes or event.code in ALWAYS:

@@ -24,6 +24,7 @@ from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.diagram.ros import qos
 from rvd_dynamics.diagram.ros.arguments import parsed
 from rvd_dynamics.diagram.ros.conversions import header_at, ns_of
+from rvd_dynamics.diagram.ros.horizon import Horizon
 from rvd_dynamics.diagram.ros.host import Host, run
 from rvd_dynamics.diagram.ros.node import RunNode
 from rvd_groundstation.joystick.device import Device, Reading
@@ -44,6 +45,7 @@ class Joystick(RunNode):
         self._device = Device(settings.device_id, settings.device_name)
         self._messages = Messages(settings)
         self._joy = self.writer('/joy', Joy, qos.HELD_STICK)
+        self._horizon = Horizon(self.run, self.run.last_step)
         self._in_a_run = NAME in self.roster.names
         self._heard_clock: tuple[int, float] | None = None        # [ns], wall time at which it came [s]
         self._stamp_ns = -1
@@ -54,8 +56,12 @@ class Joystick(RunNode):
         self.create_timer(POLL_S, self.guarded(self._look))
 
     def _on_clock(self, message: Any) -> None:
+        step = ns_of(message.clock)//self.run.step_ns
+        if step < self.step or not self._horizon.believes(step, self.step):
+            self.refuse('/clock', self._horizon.words(step, self.step))
+            return
         self._heard_clock = (ns_of(message.clock), time.monotonic())
-        self.step = self._heard_clock[0] // self.run.step_ns
+        self.step = step
 
     def _look(self) -> None:
         reading = self._device.poll()

@@ -35,6 +35,7 @@ from rvd_groundstation.prediction.abort import AbortProfile
 from rvd_groundstation.prediction.filter import FilterParams, FILTERS
 
 Array = NDArray[np.float64]
+FAR = 1e8                               # [m, m/s] beyond which a state is none of an approach
 LATE_STEPS = 200                        # samples over which a late command is made up for
 
 
@@ -54,7 +55,8 @@ class Prediction(NamedTuple):
     estimate_covariance: Array | None   # (..., 6, 6) of it; None when not tracked
     predicted: Array                    # (..., 6)    state at k + forward_steps
     covariance: Array | None            # (..., 6, 6) of it, no command lost on the way
-    valid: NDArray[np.bool_]            # (...)       some telemetry has been received
+    valid: NDArray[np.bool_]            # (...)       some telemetry has been received, and what is
+                                        #             made of it is finite and no larger than FAR
 
 
 class Predictor:
@@ -142,6 +144,7 @@ class Predictor:
         if m >= 0:
             measured, received = self._sample(measured, received)
             self._filter.advance(m, self._sent[0], measured, received)
+            received = self._filter.gate.taken          # outliers apart
             self._updates.append((self._filter.gain(m), received))
             if self._spread is not None:
                 self._spread = self._updated(cw.step(
@@ -236,13 +239,16 @@ class Predictor:
         estimate = self._filter.estimate
         correction = cw.product(self._phi_loop, estimate - self._model[0])      # (7)
         predicted = self._model[-1] + correction                                # (8)
-        if not self._valid.all():
-            known = self._valid[..., None]
+        valid, fits = self._valid, np.abs(predicted) <= FAR     # NaN does not
+        if not fits.all():
+            valid = valid & fits.all(axis=-1)
+        if not valid.all():
+            known = valid[..., None]
             estimate, predicted = (np.where(known, s, np.nan) for s in (estimate, predicted))
-        p, p_loop = self._covariances()
-        return Prediction(estimate, p, predicted, p_loop, self._valid)
+        p, p_loop = self._covariances(valid)
+        return Prediction(estimate, p, predicted, p_loop, valid)
 
-    def _covariances(self) -> tuple[Array | None, Array | None]:
+    def _covariances(self, valid: NDArray) -> tuple[Array | None, Array | None]:
         if not self._track:
             return None, None
         p = self._filter.covariance
@@ -252,7 +258,7 @@ class Predictor:
             for i in range(1, len(self._own)):
                 ahead = cw.step(ahead, self._differences(i), self._phi, self._gamma)
             p, p_loop = p + self._scatter(self._spread), p_loop + self._scatter(ahead)
-        known = self._valid[..., None, None]
+        known = valid[..., None, None]
         return np.where(known, p, np.nan), np.where(known, p_loop, np.nan)
 
 

@@ -24,6 +24,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rvd_dynamics.commands.hand import HandParams, Hands
+from rvd_dynamics.diagram.limits import LARGEST
 from rvd_dynamics.diagram.params import param, settings
 from rvd_dynamics.diagram.run import Legs
 
@@ -129,6 +130,10 @@ class SixDofPredictor:
             rows = slice(None)
         if valid.any():
             self._carry(rows, out)
+            fits = (np.abs(out) <= LARGEST).all(axis=-1)        # NaN does not
+            if (valid & ~fits).any():
+                valid = valid & fits
+                out[~valid] = np.nan
         return Known(self._telemetry, out, valid)
 
     def _remember(self, sent: NDArray) -> None:

@@ -19,6 +19,6 @@ LAW = Signal('/attitude/law', (
 COMMAND = Signal('/ground/command', (_command, link.KIND))
 WANTED = Signal('/onboard/command', (                       # of a law on board
     _command, link.KIND, link.RECEIVED, Part('reason', (), 'REASON_*', 'u1', optional=True),
-    Part('sequence', (), '', 'i8', optional=True)))
+    link.SEQUENCE))
 UPLINK, ARRIVAL = link.uplink(_command), link.arrival(_command)
 THRUST = link.thrust(_command)

@@ -22,21 +22,23 @@ TRUTH = Signal('/truth/spacecraft', (
     Part('sloshing', (2, 3), 'm')), truth=True)         # of each tank's liquid, body axes
 INERTIAL = Signal('/onboard/inertial', (
     Part('rate', (3,), 'rad/s'), Part('force', (3,), 'm/s^2')))             # body axes
+EXPOSED = Part('exposed', (), 'steps', 'i8', -1, low=-1, counts=True)        # step of the picture
 FEATURES = Signal('/onboard/features', (
-    Part('pixels', (MARKERS, 2), 'px'), Part('exposed', (), 'steps', 'i8', -1)))
+    Part('pixels', (MARKERS, 2), 'px'), EXPOSED))
 POSE = Signal('/onboard/pose', (                                            # craft axes
-    Part('place', (3,), 'm'), Part('turn', (4,)), Part('covariance', (6, 6)),
-    Part('usable', (), '', 'i8'), Part('exposed', (), 'steps', 'i8', -1),
-    Part('markers', (), 'SET_*', 'i8', -1)))    # that count: 0 big, 1 both, 2 small; -1 none do
+    Part('place', (3,), 'm'), Part('turn', (4,)), Part('covariance', (6, 6), spread=True),
+    Part('usable', (), '', 'i8', low=0, high=MARKERS), EXPOSED,
+    # that count: 0 big, 1 both, 2 small; -1 none do
+    Part('markers', (), 'SET_*', 'i8', -1, codes=(-1, 0, 1, 2))))
 ESTIMATE = Signal('/onboard/estimate', (                                    # target axes
     Part('position', (3,), 'm'), Part('velocity', (3,), 'm/s'), Part('attitude', (4,)),
     Part('rate', (3,), 'rad/s'), Part('nis', (2,)),
     Part('sigma', (9,), 'm, m, m, m/s, m/s, m/s, rad, rad, rad')))         # attitude: craft axes
 GUIDANCE = Signal('/onboard/guidance', (
     Part('reference', (3,), 'm'), Part('error', (6,), 'm, rad'), Part('demand', (6,)),
-    Part('safety', (), 'STATE_*', 'u1')))
-_command = Part('command', (COUNT,), '', 'u1', initial=0)                   # all valves shut
+    Part('safety', (), 'STATE_*', 'u1', high=3)))
+_command = Part('command', (COUNT,), '', 'u1', initial=0, high=1)           # all valves shut
 WANTED = Signal('/onboard/command', (
     _command, link.KIND, link.RECEIVED, Part('reason', (), 'REASON_*', 'u1', optional=True),
-    Part('sequence', (), '', 'i8', optional=True)))
+    link.SEQUENCE))
 THRUST = link.thrust(_command)

@@ -11,15 +11,15 @@ from rvd_dynamics.geometry.markers import RenderingParams
 from rvd_dynamics.geometry.pinhole import CameraParams
 from rvd_dynamics.onboard.navigation.stereo import pair
 from rvd_missions.docking.markers import BIG, SMALL
-from rvd_missions.docking.signals import MARKERS
+from rvd_missions.docking.signals import EXPOSED, MARKERS
 
 CAMERAS = 2
 BLOBS = 24                              # rendering.MOST_BLOBS
 
 STEREO = Signal('/onboard/stereo_features', (
-    Part('pixels', (CAMERAS, MARKERS, 2), 'px'), Part('exposed', (), 'steps', 'i8', -1)))
+    Part('pixels', (CAMERAS, MARKERS, 2), 'px'), EXPOSED))
 SPOTS = Signal('/onboard/blobs', (                      # which marker each is nobody says
-    Part('blobs', (CAMERAS, BLOBS, 3), 'px'), Part('exposed', (), 'steps', 'i8', -1)))
+    Part('blobs', (CAMERAS, BLOBS, 3), 'px'), EXPOSED))
 
 
 @settings

@@ -18,7 +18,7 @@ TRUTH = Signal('/truth/relative_state', (
     _state, Part('acceleration', (3,), 'm/s^2'), Part('final', (), '', '?')),
     STATE, f'{CODECS}:Truth', truth=True)
 DOWNLINK, TELEMETRY = link.downlink(_state), link.telemetry(_state)
-_covariance = Part('covariance', (6, 6), 'm, m/s', optional=True)      # nobody estimates it
+_covariance = Part('covariance', (6, 6), 'm, m/s', optional=True, spread=True)     # of nobody
 PREDICTION = Signal('/ground/prediction', (_state, _valid, _covariance), STATE,
                     f'{CODECS}:Prediction')
 GUIDANCE = Signal('/ground/guidance', (     # what the law sees and wants

@@ -11,7 +11,7 @@ the motion and never improved by a measurement, as in the source; with `predicte
 predictor, and of the filter of each obstacle.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -61,6 +61,11 @@ class NavigationParams:
     process_noise_m_s2: float = param(
         1e-5, 'Standard deviation of the acceleration of the chaser that the filter does not know '
         '[m/s^2].', low=0.0, high=1.0)
+    gate_nis: float = param(
+        1e4, 'Normalised innovation squared of an obstacle above which its measurement is an outlier '
+        'and left out.', above=0.0)
+    gate_patience: int = param(
+        10, 'Outliers of an obstacle in a row after which its filter begins anew.', low=1)
 
     def __post_init__(self) -> None:
         xy, xz, yz = self.position_correlation
@@ -86,7 +91,8 @@ class NavigationParams:
             process_noise_m_s2=self.process_noise_m_s2, process_variance_floor=PROCESS_FLOOR,
             measurement_fraction=1e-12, position_sigma_m=self.assumed_position_sigma_m,
             velocity_sigma_m_s=self.assumed_velocity_sigma_m_s,
-            start_position_sigma_m=(10.0,) * 3, start_velocity_sigma_m_s=(1.0,) * 3))
+            start_position_sigma_m=(10.0,) * 3, start_velocity_sigma_m_s=(1.0,) * 3,
+            gate_patience=self.gate_patience))
 
     def on(self, legs: Legs) -> 'Chosen':
         """
@@ -159,11 +165,13 @@ class _Gains:
     phi: Array                          # (6, 6) of a step
     noise: Array                        # (6, 6) R
     covariance: Array                   # (6, 6) after the last update
+    spread: Array = field(default_factory=lambda: np.ones(6))   # (6,) of the last innovation
 
     def next(self, first: bool) -> Array:
         """Move on by a sample, and return its gain (6, 6)."""
         if not first:
             self.covariance = cw.carried(self.covariance, self.phi) + PROCESS_FLOOR*np.eye(6)
+        self.spread = np.diagonal(self.covariance + self.noise)
         gain = np.linalg.solve(self.covariance + self.noise, self.covariance).T
         keep = np.eye(6) - gain
         self.covariance = keep @ self.covariance @ keep.T + gain @ self.noise @ gain.T
@@ -187,6 +195,8 @@ class Tracker:
                                      stands @ start + 1e-12*np.eye(6)),
                        True: _Gains(self._phi, np.diag(variance), start)}
         self._state = np.full((*batch, obstacles.count, 6), np.nan)
+        self._gate, self._patience = params.gate_nis, params.gate_patience
+        self._lost, self._in_a_row = np.zeros((2, *batch, obstacles.count), dtype=np.int64)
 
     def advance(self, k: int, measured: Array, received: NDArray) -> Array:
         """Return the obstacles (..., M, 6) foreseen for a command of step k."""
@@ -195,11 +205,28 @@ class Tracker:
             gain = {moves: gains.next(k == self._back) for moves, gains in self._gains.items()}
             known = np.isfinite(carried[..., 0])
             innovation = measured - carried
+            good = ~known | self._fits(innovation)
+            received = received[..., None]
+            self._in_a_row = np.where(received, np.where(good, 0, self._in_a_row + 1),
+                                      self._in_a_row)
+            anew = self._in_a_row > self._patience
+            received = received & (good | anew)
+            self._lost = np.where(received, 0, self._lost + 1)
+            known = known & ~anew
             update = np.where(self._moving[:, None], cw.product(gain[True], innovation),
                               cw.product(gain[False], innovation))
             updated = np.where(known[..., None], carried + update, measured)
-            self._state = np.where(received[..., None, None], updated, carried)
+            self._state = np.where(received[..., None], updated, carried)
         return drifted(self._state, self._loop, self._moving)
+
+    def _fits(self, innovation: Array) -> NDArray:
+        """Return which measurements (..., M) are no outliers; see `prediction.filter.Gate`."""
+        moving, still = (self._gains[moves].spread for moves in (True, False))
+        spread = np.where(self._moving[:, None], moving, still)
+        grown = (1 + self._lost)[..., None]
+        share = innovation*innovation/(grown*grown*spread)
+        return (share[..., 0] + share[..., 1] + share[..., 2] + share[..., 3] + share[..., 4]
+                + share[..., 5]) <= self._gate
 
     def covariance(self) -> Array:
         """Return the covariances (M, 3, 3) [m^2] of the positions foreseen."""

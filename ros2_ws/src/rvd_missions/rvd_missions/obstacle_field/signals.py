@@ -16,7 +16,7 @@ STATE = 'rvd_interfaces/msg/RelativeState'
 
 _state = Part('state', (6,), 'm, m/s')
 _valid = Part('valid', (), '', '?')
-_covariance = Part('covariance', (6, 6), 'm, m/s', optional=True)
+_covariance = Part('covariance', (6, 6), 'm, m/s', optional=True, spread=True)
 
 TRUTH = '/truth/state'
 OBSTACLES = '/ground/obstacles'
@@ -49,7 +49,8 @@ def signals(obstacles: int, command: Part) -> Signals:
         Signal(TRUTH, (_state, Part('acceleration', (3,), 'm/s^2'), around,
                        Part('final', (), '', '?')), truth=True),
         link.downlink(sent), link.telemetry(sent),
-        Signal(OBSTACLES, (around, _valid, Part('covariance', (obstacles, 3, 3), 'm^2'))),
+        Signal(OBSTACLES, (around, _valid,
+                           Part('covariance', (obstacles, 3, 3), 'm^2', spread=True))),
         Signal(ALARM, (
             Part('on', (obstacles,), '', '?'), Part('distance', (obstacles,), 'm'),
             Part('zone', (obstacles,), 'm'),

@@ -44,6 +44,12 @@ class ObserverParams:
     bearing_sigma_rad: float = param(
         7e-4, 'Noise of each inertial angle of the bearing, that of the attitude included [rad].',
         above=0.0)
+    gate_nis: float = param(
+        1e4, 'Innovation squared over its variance above which a measurement is an outlier and left '
+        'out.', above=0.0)
+    gate_patience: int = param(
+        10, 'Outliers of one kind in a row after which the next measurement is taken, with a '
+        'covariance made wide enough for it.', low=1)
     force_sigma_n_rt_s: float = param(
         5e-4, 'Density of the white force that is not known, along each axis [N s^0.5].', above=0.0)
 
@@ -96,9 +102,12 @@ def predict(x, cov, u, orbit, mass, density, h):
 
 
 @compiled
-def correct(x, cov, z, sigma, along, length):
+def correct(x, cov, z, sigma, along, length, gate, patience, missed):
     """
     Take measurements (N, 3), NaN where there is none, in place.
+
+    One whose innovation squared is above `gate` times its variance is left out and counted in
+    `missed` (N, 3); after `patience` of them in a row the covariance is widened until it is within.
 
     `sigma` (3,) is their noise, `along` (2,) the direction of the baseline in the orbit plane,
     `length` its assumed value now [m].
@@ -134,6 +143,17 @@ def correct(x, cov, z, sigma, along, length):
             for i in range(STATES):
                 spread += slope[i]*gain[i]
             off = z[row, which] - said
+            if not off*off <= gate*spread:
+                missed[row, which] += 1
+                if missed[row, which] <= patience or not off*off < np.inf:
+                    continue
+                wider = off*off/(gate*spread)
+                for i in range(STATES):
+                    for j in range(STATES):
+                        cov[row, i, j] *= wider
+                    gain[i] *= wider
+                spread = wider*(spread - sigma[which]*sigma[which]) + sigma[which]*sigma[which]
+            missed[row, which] = 0
             for i in range(STATES):
                 p[i] += gain[i]*off/spread
             for i in range(STATES):
@@ -157,6 +177,8 @@ class Observer:
                            settings.mass_sigma])
         self.covariance = np.tile(np.diag(spread*spread), (rows, 1, 1))
         self._command = np.tile([tether.least_n, *[0.0]*6], (rows, 1))
+        self._gate, self._patience = settings.gate_nis, settings.gate_patience
+        self._missed = np.zeros((rows, 3), dtype=np.int64)
 
     def take(self, k: int, seen: NDArray) -> NDArray[np.float64]:
         """Return what should be seen (N, 3): length and angles, after those of step k (N, 3)."""
@@ -171,7 +193,8 @@ class Observer:
         turn, size = now.anomaly - start.anomaly, self._length*now.radius/start.radius
         along = np.array([np.cos(turn), np.sin(turn)])
         correct(self.state, self.covariance, np.stack(
-            [seen[:, 0]*stretch, seen[:, 1], seen[:, 2]], axis=-1), self._sigma, along, size)
+            [seen[:, 0]*stretch, seen[:, 1], seen[:, 2]], axis=-1), self._sigma, along, size,
+            self._gate, self._patience, self._missed)
         r = self.state[:, :3]
         length = np.sqrt(r[:, 0]*r[:, 0] + r[:, 1]*r[:, 1] + r[:, 2]*r[:, 2])
         x, y = (size + self.state[:, 6])*along[0] - r[:, 0], (

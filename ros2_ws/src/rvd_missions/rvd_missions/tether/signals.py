@@ -44,5 +44,5 @@ COMMAND = Signal('/ground/command', (_command, link.KIND))
 UPLINK, ARRIVAL = link.uplink(_command), link.arrival(_command)
 WANTED = Signal('/onboard/wanted', (                        # by the tracker, for the guard
     _command, link.KIND, link.RECEIVED, Part('reason', (), 'REASON_*', 'u1', optional=True),
-    Part('sequence', (), '', 'i8', optional=True)))
+    link.SEQUENCE))
 THRUST = link.thrust(_command)

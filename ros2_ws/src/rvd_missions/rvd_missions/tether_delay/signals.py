@@ -30,10 +30,12 @@ UPLINK, ARRIVAL = link.uplink(_order), link.arrival(_order)
 DOWNLINK, TELEMETRY = (make(Part('state', (23,), 'm, rad, N, 1, N m')) for make in (
     link.downlink, link.telemetry))
 DECISION = Signal('/ground/decision', (
-    Part('order', (), 'WAIT, GO, HOLD', 'u1'), Part('abort', (), '', '?')))
+    Part('order', (), 'WAIT, GO, HOLD', 'u1', high=HOLD), Part('abort', (), '', '?')))
 SITUATION = Signal('/ground/situation', (
     *tether.SITUATION.parts,
     Part('ahead', (), 'm'),             # range at which an order sent now would act, by the plan
-    Part('doing', (), '', 'u1'), Part('plans', (), '', 'u1'), Part('refused', (), '', 'u1')))
+    Part('doing', (), '', 'u1', high=ABORTED), Part('plans', (), '', 'u1'),
+    Part('refused', (), '', 'u1')))
 CRAFT = Signal('/onboard/craft', (
-    Part('doing', (), '', 'u1'), Part('released', (), '', '?'), Part('plan', (), '', 'u1')))
+    Part('doing', (), '', 'u1', high=ABORTED), Part('released', (), '', '?'),
+    Part('plan', (), '', 'u1')))

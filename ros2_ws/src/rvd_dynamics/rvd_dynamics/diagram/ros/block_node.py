@@ -13,6 +13,7 @@ from rvd_dynamics.diagram.diagram import DiagramError
 from rvd_dynamics.diagram.in_process import everything
 from rvd_dynamics.diagram.ros.firing import FiringNode
 from rvd_dynamics.diagram.ros.host import Host, message_type
+from rvd_dynamics.diagram.ros.node import LONGEST
 from rvd_dynamics.diagram.signal import Signal
 from rvd_interfaces.srv import RunControl
 
@@ -22,7 +23,7 @@ class BlockNode(FiringNode):
 
     def __init__(self, host: Host, block: Block) -> None:
         super().__init__(host, block)
-        self._outputs = {name: (signal, self._codec(signal),
+        self._outputs = {name: (signal, self.codec_of(signal),
                                 self.writer(signal.name, message_type(signal.message)))
                          for name, signal in block.writes.items()}
         self._commands = [name for name, signal in block.writes.items() for part in signal.parts
@@ -144,6 +145,6 @@ class BlockNode(FiringNode):
         else:
             response.accepted = False
             response.message = (f'mode must be one of {", ".join(modes) or "none"}, got '
-                                f'{request.mode!r}' if request.action == actions.MODE
+                                f'{request.mode[:LONGEST]!r}' if request.action == actions.MODE
                                 else f'unknown action {request.action}')
         return response

@@ -4,7 +4,8 @@ Codecs: between the value of a signal and its message; a graph only.
 A codec is made with what its constructor names (`diagram.build`), besides `signal`, `run` and
 `event`, with which it may say that something happened. Its methods are `encode(k, value)`, which
 returns the serialised message, or a message object, and `decode(k, message)` with `missing(k)`,
-what a reader gets when nothing came. Within a process the value itself passes by hand, as `wired`
+what a reader gets when nothing came; `odd(k, message)` says what cannot be in the fields that go
+into no value (`boundary`). Within a process the value itself passes by hand, as `wired`
 returns it: equal to what another process would decode.
 """
 
@@ -22,6 +23,7 @@ from rvd_dynamics.commands.levels import (
     HIGHEST, stick_axes, stick_fault, stick_levels, StickParams)
 from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.diagram.ros.conversions import header_at, NAN, state_from_msg
+from rvd_dynamics.diagram.limits import checker, held_by
 from rvd_dynamics.diagram.ros.wire import Layout
 from rvd_dynamics.diagram.run import Legs, Run
 from rvd_dynamics.diagram.signal import Signal
@@ -34,6 +36,8 @@ Event = Callable[[str, str], None]
 REFUSALS = frozenset(Refusal)
 UNKNOWN = (NAN, NAN, NAN)
 NO_COVARIANCE = (NAN, *(0.0,) * 35)
+MOST_BYTES = 4096               # of a frame's payload: ours have less than 400
+MOST_AXES = 64                  # of a Joy, and as many buttons: settings name one of them at most
 
 
 class FrameOfLink(NamedTuple):
@@ -62,6 +66,7 @@ class Codec:
     """What codecs have in common."""
 
     frames = False                              # what passes by hand is a FrameOfLink, not a value
+    envelope = False                            # and nobody opens it
 
     def __init__(self, signal: Signal, run: Run) -> None:
         self.signal, self.run = signal, run
@@ -91,6 +96,10 @@ class Codec:
         """Return why what a message of a held input says does not count; nothing if it does."""
         return ''
 
+    def odd(self, k: int, message: Any) -> str:
+        """Return what cannot be in the fields that go into no value; nothing if all can."""
+        return ''
+
 
 class Parts(Codec):
     """Any signal as `Values`: its parts one after the other, as numbers."""
@@ -101,6 +110,13 @@ class Parts(Codec):
             f'{part.name}[{",".join(map(str, part.shape))}]' if part.shape else part.name
             for part in signal.parts)
         self._starts = [part.filled(()) for part in signal.parts]
+        sizes = [int(np.prod(part.shape, dtype=int)) for part in signal.parts]
+        self._size, self._slices, at = sum(sizes), [], 0
+        for size in sizes:
+            self._slices.append(slice(at, at + size))
+            at += size
+        self._whole = [None if start.dtype.kind == 'f' else held_by(start.dtype)
+                       for start in self._starts]
 
     def encode(self, k: int, value: Any) -> Values:
         """Return the message of a value; ValueError if a part is not of its shape."""
@@ -121,13 +137,22 @@ class Parts(Codec):
     def decode(self, k: int, message: Values) -> Any:
         """Return the value in a message; ValueError if it is of another layout."""
         if message.layout != self._layout:
-            raise BadInput(f'{self.signal.name} must hold {self._layout}, got {message.layout}')
-        made, at = [], 0
-        for part in self.signal.parts:
-            size = int(np.prod(part.shape, dtype=int))
-            made.append(np.asarray(message.values[at:at + size]).reshape(part.shape).astype(
-                part.dtype))
-            at += size
+            raise BadInput(f'{self.signal.name} must hold {self._layout}, got '
+                           f'{message.layout[:len(self._layout) + 20]}')
+        if len(message.values) != self._size:
+            raise BadInput(f'{self.signal.name} must hold {self._size} numbers, got '
+                           f'{len(message.values)}')
+        made, numbers = [], np.array(message.values)
+        for part, start, where, whole in zip(self.signal.parts, self._starts, self._slices,
+                                             self._whole):
+            given = numbers[where]
+            if whole is not None:
+                low, high = whole
+                for x in given.tolist():
+                    if not (low <= x <= high and x == int(x)):
+                        raise BadInput(f'{part.name} must be whole numbers from {low} to {high}, '
+                                       f'got {x:g}')
+            made.append(given.reshape(part.shape).astype(start.dtype))
         return self.signal.type(*made)
 
 
@@ -148,6 +173,11 @@ class _State(Codec):
         spread = NO_COVARIANCE if covariance is None else covariance.ravel().tolist()
         return self._layout.pack(*self.stamp(k), k, self.source, valid, final, *state.tolist(),
                                  *acceleration, *spread)
+
+    def odd(self, k: int, message: RelativeState) -> str:
+        """Return what is wrong with the source."""
+        most = RelativeState.SOURCE_PREDICTION
+        return '' if message.source <= most else f'source must be 0 to {most}, got {message.source}'
 
 
 class Truth(_State):
@@ -213,6 +243,14 @@ class Score(Codec):
             *self.stamp(k), k, bool(value.valid), *value.error.tolist(), *value.sigma.tolist(),
             int(value.scored), *value.rms.tolist())
 
+    def decode(self, k: int, message: PredictionScore) -> Any:
+        """Return the value in a message."""
+        p, v = message.position_error, message.velocity_error
+        return self.signal(
+            valid=np.bool_(message.valid), error=np.array((p.x, p.y, p.z, v.x, v.y, v.z)),
+            sigma=np.array(message.sigma), scored=np.asarray(message.scored),
+            rms=np.array(message.rms))
+
 
 # -- commands ----------------------------------------------------------------------------------
 
@@ -246,9 +284,21 @@ class Stick(Codec):
         levels, valid = stick_levels(message.axes, message.buttons, self._stick)
         return self.signal(command=levels, valid=np.bool_(valid))
 
+    def odd(self, k: int, message: Joy) -> str:
+        """Return what is wrong with the numbers of axes and buttons."""
+        return too_many(message)
+
     def fault(self, message: Joy) -> str:
         """Return why a stick is nobody's; nothing if somebody holds it."""
-        return stick_fault(message.axes, message.buttons, self._stick)
+        return too_many(message) or stick_fault(message.axes, message.buttons, self._stick)
+
+
+def too_many(message: Joy) -> str:
+    """Say that a Joy has more axes or buttons than a stick can have; nothing if it has not."""
+    for name, given in (('axes', message.axes), ('buttons', message.buttons)):
+        if len(given) > MOST_AXES:
+            return f'Joy must have {MOST_AXES} {name} at most'
+    return ''
 
 
 @lru_cache(maxsize=16)
@@ -268,6 +318,18 @@ class _Command(Codec):
         """Return the serialised message."""
         return self._layout.pack(*self.stamp(k), k, sequence, kind, *levels.tolist(), valid,
                                  decided_by, pilot_weight, reason)
+
+    def odd(self, k: int, message: ThrustCommand) -> str:
+        """Return what is wrong with the fields that not every command is read for."""
+        for name, most in (('sequence', k + 1), ('kind', codes.KIND_RESUME),
+                           ('decided_by', codes.BY_GUARD), ('reason', codes.REASON_ABORT)):
+            given = getattr(message, name)
+            if given > most:
+                return f'{name} must be 0 to {most}, got {given}'
+        weight = message.pilot_weight
+        if not 0.0 <= weight <= 1.0 and weight == weight:
+            return f'pilot_weight must be 0 to 1 or NaN, got {weight:g}'
+        return ''
 
 
 class Automatic(_Command):
@@ -320,6 +382,35 @@ class Thrusters(_Command):
 
 # -- the ends of the link ------------------------------------------------------------------------
 
+def frame_fault(k: int, frame: LinkFrame, step_ns: int) -> str:
+    """Return what is wrong with the envelope of a frame that was emitted in step k."""
+    size, now_ns = len(frame.payload), k * step_ns
+    if size > MOST_BYTES:
+        return f'payload must be {MOST_BYTES} bytes at most, got {size}'
+    if frame.empty:
+        return f'payload of an empty frame must have no bytes, got {size}' if size else ''
+    if frame.sequence > k + 1:
+        return f'sequence must be {k + 1} at most, got {frame.sequence}'
+    for name in ('sent', 'arrived', 'released'):
+        if not -1 <= getattr(frame, name) <= now_ns:
+            return f'{name} must be from -1 to the {now_ns} ns of its step, got ' \
+                f'{getattr(frame, name)}'
+    return ''
+
+
+class Envelope(Codec):
+    """What a leg of the link sees of a frame that it is to carry; the payload is bytes to it."""
+
+    frames = envelope = True
+
+    def odd(self, k: int, message: LinkFrame) -> str:
+        """Return what is wrong with a frame that was handed over in step k."""
+        now_ns = k * self.run.step_ns
+        if not message.empty and message.sent != now_ns:
+            return f'sent must be the {now_ns} ns of its step, got {message.sent}'
+        return frame_fault(k, message, self.run.step_ns)
+
+
 class _Sender(Codec):
     """Packs a value into the frame of its step, which is what passes by hand."""
 
@@ -348,9 +439,18 @@ class Telemetry(Codec):
     def __init__(self, signal: Signal, run: Run, event: Event) -> None:
         super().__init__(signal, run)
         self._event, self._width = event, signal.parts[0].shape[0]
+        self._complaint = checker(signal)
+
+    def odd(self, k: int, message: LinkFrame) -> str:
+        """Return what is wrong with the envelope."""
+        return frame_fault(k, message, self.run.step_ns)
 
     def decode(self, k: int, message: LinkFrame) -> Any:
-        """Return what the frame of step k holds; nothing received if it holds nothing intact."""
+        """
+        Return what the frame of step k holds.
+
+        Nothing is received if it holds nothing intact, or numbers that the signal cannot have.
+        """
         if message.empty:
             return self.initial
         content = unpack_downlink(bytes(message.payload), self._width)
@@ -358,7 +458,12 @@ class Telemetry(Codec):
             self._event('REFUSED', f'telemetry refused: {content.name}')
             return self.initial
         state = np.array(content.state)
-        return self.signal(state=state, received=np.isfinite(state).all())
+        found = self.signal(state=state, received=np.isfinite(state).all())
+        why = self._complaint(found, k)
+        if why:
+            self._event('REFUSED', f'telemetry refused: {Refusal.RANGE.name}: {why}')
+            return self.initial
+        return found
 
 
 class Uplink(_Sender):
@@ -386,6 +491,10 @@ class Arrival(Codec):
         self._event, self._neutral = event, form.neutral
         self._aborted = False
         self._gate = Gate(form, legs.forward * run.step_ns, run.step_ns)
+
+    def odd(self, k: int, message: LinkFrame) -> str:
+        """Return what is wrong with the envelope."""
+        return frame_fault(k, message, self.run.step_ns)
 
     def decode(self, k: int, message: LinkFrame) -> Any:
         """Return what the gate makes of the frame of step k."""

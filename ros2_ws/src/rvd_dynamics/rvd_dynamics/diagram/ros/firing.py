@@ -7,14 +7,17 @@ real time a block that has not fired for k when an input of a later firing arriv
 what it holds; the rest is MISSING, and its codec says what that is worth.
 """
 
+from math import inf
 from typing import Any
 
 from rclpy.callback_groups import CallbackGroup
 from rosgraph_msgs.msg import Clock
 
 from rvd_dynamics.diagram.block import Block, Read
-from rvd_dynamics.diagram.build import made
+from rvd_dynamics.diagram.ros.boundary import Refused
+from rvd_dynamics.diagram.ros.codecs import Envelope
 from rvd_dynamics.diagram.ros.conversions import ns_of
+from rvd_dynamics.diagram.ros.horizon import Horizon
 from rvd_dynamics.diagram.ros.host import Host, message_type
 from rvd_dynamics.diagram.ros.inputs import Gate, HeldInput, Input
 from rvd_dynamics.diagram.ros.node import RunNode
@@ -24,13 +27,13 @@ class FiringNode(RunNode):
     """What nodes of blocks and of legs have in common: inputs, and when to fire."""
 
     raw = False                                 # takes messages as they are, not values
+    hurries = True                              # in real time, fires for what is due later
 
     def __init__(self, host: Host, block: Block) -> None:
         super().__init__(host, block.name)
         self.block = block
         self.realtime = self.run.pace == 'realtime'
         self.missing_count = self.late_count = 0
-        self.refused_count: dict[str, int] = {}
         self._next = 0
         self._gate = Gate()
         self._inputs: dict[str, Input] = {}
@@ -50,14 +53,14 @@ class FiringNode(RunNode):
         remote: list[tuple[tuple, str, Read]] = []
         for name, read in self.block.reads.items():
             writer = self.roster.diagram.writer_of.get(read.signal.name)
-            codec = None if self.raw else self._codec(read.signal)
+            codec = Envelope(read.signal, self.run) if self.raw else self.codec_of(read.signal)
             if read.held:
                 self._hold(name, read, codec)
                 continue
             self._inputs[name] = Input(read, writer.period if writer else 1, codec,
-                                       self.run.last_step)
+                                       self.run.last_step, self.run)
             if self.host.is_local(read.signal.name):
-                self._inputs[name].by_hand = codec is not None and not codec.frames
+                self._inputs[name].local = True
                 self.host.take(read.signal.name, self._taker(name, codec))
                 continue
             signals = list(writer.writes.values()) if writer else []
@@ -73,17 +76,11 @@ class FiringNode(RunNode):
         self._given = list(self._inputs.values())
         if self.roster.follows_clock(self.block.name):
             self._limit = -1
+            self._instants = Horizon(self.run, self.run.last_step)
             self.listen('/clock', Clock, self._on_clock)
 
-    def _codec(self, signal: Any) -> Any:
-        own = {'signal': signal, 'run': self.run, 'event': self.event}
-
-        def available(name: str) -> Any:
-            return own[name] if name in own else self.scenario.part(name)
-        return made(signal.codec, available, f'signal {signal.name}')
-
     def _taker(self, name: str, codec: Any) -> Any:
-        if codec is None or codec.frames:
+        if codec.frames:
             return lambda step, frame: self._came(name, step, frame)
         return lambda step, value: self._came(name, step, codec.wired(value))
 
@@ -125,25 +122,39 @@ class FiringNode(RunNode):
             self.watch(topic, kind, lambda message: heard(-1, message))
 
     def _on_clock(self, step: int, message: Any) -> None:
-        now = step if step >= 0 else ns_of(message.clock) // self.run.step_ns
-        self._limit = min(now, self.run.last_step)
+        if step < 0:                            # from another process
+            step, rest = divmod(ns_of(message.clock), self.run.step_ns)
+            if rest or step < 0:
+                self.refuse('/clock', f'{ns_of(message.clock)} ns is no instant of a step')
+                return
+            if not self._instants.believes(step, self._limit):
+                self.refuse('/clock', self._instants.words(step, self._limit))
+                return
+        self._limit = max(self._limit, min(step, self.run.last_step))
+
+    def latest(self) -> float:
+        """Return the last step at which anything can have been written, if this node knows."""
+        return inf
 
     def _came(self, name: str, step: int, item: Any) -> None:
         """Take in what the writer of an input wrote in `step`."""
         given, period = self._inputs[name], self.block.period
         if step < given.need:
-            first = given.first_use(step, period)
-            if first < self._next and given.wanted(first) == step:     # fired without it
-                self.late_count += 1
-                self.trouble['late'] = f'{self.late_count} messages came after their step'
-                if given.keeps_late:
-                    given.late[step] = item
+            if step in given.missed:            # of a step that was there nobody needs another
+                self._take_late(given, step, item)
             return
-        if not given.believes(step):
-            self._refuse(given, step)
+        try:
+            if not given.local:
+                if step > self.latest():
+                    raise Refused(f'step {step} has not been: this is step {self.step}')
+                item = given.taken(step, item)
+        except Refused as why:
+            self.refuse(given.topic, str(why))
             return
         given.held[step] = item
-        if self.realtime and self.host.begun and not self._taking:
+        if self.host.final_step is not None and not given.local:
+            self.host.ending.goes_on(step)
+        if self.realtime and self.host.begun and not self._taking and self.hurries:
             due = given.first_use(step, period)
             if self._next < due:
                 self._take_waiting()
@@ -173,13 +184,18 @@ class FiringNode(RunNode):
         finally:
             self._taking = False
 
-    def _refuse(self, given: Input, step: int) -> None:
-        """Leave out a message whose step cannot be; say so once for each topic."""
-        self.refused_count[given.topic] = self.refused_count.get(given.topic, 0) + 1
-        text = f'step {step} on {given.topic} is beyond {given.bound()}, the last that can be due'
-        if self.refused_count[given.topic] == 1:
-            self.event('REFUSED', f'{text}: left out; another node writes there or has lost count')
-        self.trouble['refused'] = f'{text}: {sum(self.refused_count.values())} left out so far'
+    def _take_late(self, given: Input, step: int, item: Any) -> None:
+        """Count what a firing had to do without, and keep it for a block that asks for it."""
+        try:
+            item = item if given.local else given.taken(step, item)
+        except Refused as why:
+            self.refuse(given.topic, str(why))
+            return
+        del given.missed[step]
+        self.late_count += 1
+        self.trouble['late'] = f'{self.late_count} messages came after their step'
+        if given.keeps_late:
+            given.late[step] = item
 
     def _look_at_gate(self) -> None:
         self._gate.open = self._last.there()

@@ -10,7 +10,7 @@ from sensor_msgs.msg import Joy
 
 from rvd_dynamics.commands.hand import fault, HandForm, HandParams, joy, read
 from rvd_dynamics.constants import NS_PER_S
-from rvd_dynamics.diagram.ros.codecs import Arrival, Codec, Event, Uplink
+from rvd_dynamics.diagram.ros.codecs import Arrival, Codec, Event, too_many, Uplink
 from rvd_dynamics.diagram.ros.wire import Layout
 from rvd_dynamics.diagram.run import Legs, Run
 from rvd_dynamics.diagram.signal import Signal
@@ -41,9 +41,13 @@ class Controller(Codec):
         """Return what a reader in the same process gets: a tape has one row for all."""
         return self.signal.type(*(np.asarray(given) for given in value))
 
+    def odd(self, k: int, message: Joy) -> str:
+        """Return what is wrong with the numbers of axes and buttons."""
+        return too_many(message)
+
     def fault(self, message: Joy) -> str:
         """Return why a controller is nobody's; nothing if somebody holds it."""
-        return fault(message.axes, message.buttons, self._hand)
+        return too_many(message) or fault(message.axes, message.buttons, self._hand)
 
 
 @lru_cache(maxsize=4)

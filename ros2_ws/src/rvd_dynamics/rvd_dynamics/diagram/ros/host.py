@@ -29,6 +29,7 @@ from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram import identity
 from rvd_dynamics.diagram.ros.arguments import Arguments
 from rvd_dynamics.diagram.ros.conversions import header_at
+from rvd_dynamics.diagram.ros.ending import Ending
 from rvd_dynamics.diagram.ros.node import RunNode
 from rvd_dynamics.diagram.roster import COMMON, RECORDER, Roster
 from rvd_interfaces.msg import RunEvent
@@ -72,6 +73,7 @@ class Host:
         self._ended = False
         self._busy = False
         self.begun = False                      # the barrier is behind us
+        self.ending = Ending(self)
         self.run_id = arguments.run_id
 
     # -- nodes ------------------------------------------------------------------------------
@@ -87,6 +89,11 @@ class Host:
         self._events = node.writer('/run/events', RunEvent)
         self._diagnostics = node.writer('/diagnostics', DiagnosticArray)
         self._barrier = node.create_timer(BARRIER_PERIOD_S, self._check_barrier)
+
+    @property
+    def lead(self) -> RunNode:
+        """The node that speaks for the process."""
+        return self._lead
 
     def is_local(self, topic: str) -> bool:
         """Say whether a node of this process writes a topic; ask when all nodes are made."""
@@ -253,7 +260,8 @@ class Host:
 
     def look(self) -> None:
         """See whether every node has finished."""
-        self._ended = self._ended or all(node.finished for node in self.nodes.values())
+        self._ended = self._ended or (self.ending.sure and all(
+            node.finished for node in self.nodes.values()))
 
     @property
     def ended(self) -> bool:
@@ -320,7 +328,7 @@ class Host:
 def listen_for_the_end(host: Host) -> None:
     """Subscribe to /run/end, unless the plant is in this process."""
     if host.roster.diagram.plant not in host.nodes:
-        host._lead.watch('/run/end', UInt64, lambda message: host.end(message.data))
+        host.lead.watch('/run/end', UInt64, host.ending.hear)
 
 
 def _signals() -> SignalHandlerOptions:

@@ -6,8 +6,12 @@ from typing import Any, Callable
 from rclpy.callback_groups import CallbackGroup
 
 from rvd_dynamics.diagram.block import Read
+from rvd_dynamics.diagram.ros import boundary
+from rvd_dynamics.diagram.ros.horizon import Horizon, stamped_with_wall_time
 from rvd_dynamics.diagram.ros.qos import DEPTH
+from rvd_dynamics.diagram.run import Run
 
+JOY = 'sensor_msgs/msg/Joy'
 HELD_FOR_S = 0.5                # [s] wall time after which a held stick is nobody's
 
 
@@ -38,19 +42,29 @@ class Input:
     ----------
     need : int
         Step of the writer whose output the next firing gets; -1: before the start.
+    held : dict
+        What has come, by step: a value, or a frame as it is.
     late : dict
         What came after the firing that was to have it, for a block that asks for it.
+    missed : dict
+        Steps that a firing had to do without, and that may still come; the newest DEPTH.
+    local : bool
+        Its writer is in this process: what it hands over needs no look.
     """
 
-    def __init__(self, read: Read, period: int, codec: Any, last_step: int) -> None:
+    def __init__(self, read: Read, period: int, codec: Any, last_step: int,
+                 run: Run | None = None) -> None:
         self.topic = read.signal.name
         self.delay, self.period, self.codec = read.delay, period, codec
-        self.held: dict[int, Any] = {}          # message, or what passed by hand
+        self.held: dict[int, Any] = {}
         self.late: dict[int, Any] = {}
+        self.missed: dict[int, None] = {}
         self.keeps_late = bool(read.late)
-        self.by_hand = False
-        self._last_step = last_step
-        self._refused = -1                      # step of the last message that was refused
+        self.local = False
+        self._horizon = Horizon(run, last_step, period)
+        self._step_ns = run.step_ns if run is not None and read.signal.message == JOY else 0
+        self._taken = None if codec is None else boundary.content(
+            read.signal, codec, read.optional)
         self.start = read.signal.initial(())
         self.need = self.wanted(0)
 
@@ -64,22 +78,37 @@ class Input:
         return -(-(step + self.delay) // period) * period
 
     def bound(self) -> int:
-        """Return the last step that is believed: a queue ahead, and within the run."""
-        return min(max(self.need, 0) + DEPTH * self.period, self._last_step)
+        """Return the last step that is believed."""
+        return self._horizon.bound(self.need)
 
     def believes(self, step: int) -> bool:
-        """
-        Say whether a message of `step` can be one of this run.
+        """Say whether a message of `step` can be one of this run; see `Horizon`."""
+        return self._horizon.believes(step, self.need)
 
-        A writer is never further ahead than its queue is deep; a stray number would have the node
-        fire for ever, and fill its memory. A reader that was stopped for longer sees the writer go
-        on from where it was refused, and believes that.
+    def taken(self, step: int, item: Any) -> Any:
         """
-        if step <= self.bound():
-            return True
-        goes_on = 0 <= self._refused < step <= self._refused + DEPTH * self.period
-        self._refused = step
-        return goes_on and step <= self._last_step
+        Return what is kept of a message from another process.
+
+        Raises
+        ------
+        Refused
+            If its step or its content cannot be; see `boundary`.
+        """
+        if step < 0 or step % self.period:
+            raise boundary.Refused(f'step {step} is none of its writer, which fires at every '
+                                   f'{self.period} from 0 on')
+        if not self.believes(step):
+            raise boundary.Refused(self._wall_time(step) or self._horizon.words(step, self.need))
+        try:
+            return item if self._taken is None else self._taken(step, item)
+        except boundary.Refused as why:
+            raise boundary.Refused(f'step {step}: {why}') from None
+
+    def _wall_time(self, step: int) -> str:
+        """Return what is wrong with a stamp by the clock on the wall, the usual mistake."""
+        when = stamped_with_wall_time(step*self._step_ns) if self._step_ns else ''
+        return when and (f'stamped with wall time ({when}); {self.topic} carries the simulation '
+                         'time of its step: stamp step * step_s, from 0 on')
 
     def there(self) -> bool:
         """Say whether what the next firing needs is here."""
@@ -87,7 +116,7 @@ class Input:
 
     def value(self) -> Any:
         """Return what the next firing gets of this input."""
-        if self.codec is None:                  # a leg takes the message as it is, or none
+        if self.codec is None or self.codec.envelope:   # a leg takes the frame as it is, or none
             return self.held.get(self.need)
         if self.need < 0:
             return self.start
@@ -102,11 +131,15 @@ class Input:
         return {step: self._decoded(step, item) for step, item in sorted(late.items())}
 
     def _decoded(self, step: int, item: Any) -> Any:
-        return item if self.by_hand else self.codec.decode(step, item)
+        return self.codec.decode(step, item) if self.codec.frames else item
 
     def advance(self, k: int) -> None:
         """Turn to firing k, and drop what neither it nor a later one needs."""
         need = self.wanted(k)
+        if not self.there():
+            self.missed[self.need] = None
+            if len(self.missed) > DEPTH:
+                del self.missed[next(iter(self.missed))]
         for step in range(max(self.need, 0), need):
             self.held.pop(step, None)
         self.need = need

@@ -18,6 +18,7 @@ All is in the target orbital frame. It looks at the newest message ten times a s
 time, sleeps in between and keeps no queues, so that it costs the same however fast the run is.
 """
 
+from collections.abc import Callable
 import time
 
 from geometry_msgs.msg import Point, Pose, PoseStamped, Quaternion, TransformStamped, Vector3
@@ -25,7 +26,6 @@ from nav_msgs.msg import Path
 import numpy as np
 from rclpy.publisher import Publisher
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
-from rclpy.serialization import deserialize_message
 from std_msgs.msg import ColorRGBA, Header
 from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import Marker, MarkerArray
@@ -35,6 +35,7 @@ from rvd_dynamics.recording.params import MarkerParams
 from rvd_dynamics.diagram.build import loaded
 from rvd_dynamics.diagram.display import Field, Spheres
 from rvd_dynamics.diagram.ros import qos
+from rvd_dynamics.diagram.ros.boundary import content, read, Refused
 from rvd_dynamics.diagram.ros.codecs import Parts
 from rvd_dynamics.diagram.ros.host import Host
 from rvd_dynamics.diagram.ros.node import RunNode
@@ -80,7 +81,10 @@ class Markers(RunNode):
                 self._trails[topic] = self._viewed(f'/viz/trail/{trail}', qos.VIEW)
                 self._paths[topic] = Path(header=Header(frame_id=self.run.frame_id))
         self._pictures = 0
-        self._moving: dict[str, tuple[Spheres, Parts]] = {}
+        self._moving: dict[str, tuple[Spheres, Callable]] = {}
+        signals = self.scenario.diagram.signals
+        self._taken = {topic: content(signals[topic], self.codec_of(signals[topic]),
+                                      ('covariance',)) for topic in self._watched}
         still = {}
         if self._field is None or self._field.corridor:
             still = still_scene(self.scenario, self._params.boundary_rate_m_s
@@ -89,7 +93,7 @@ class Markers(RunNode):
             still |= {'/viz/target': still_spheres(self._field, self.run.frame_id)}
             for spheres in self._field.moving:
                 signal = self.scenario.diagram.signals[spheres.rows.signal]
-                self._moving[signal.name] = spheres, Parts(signal, self.run)
+                self._moving[signal.name] = spheres, content(signal, Parts(signal, self.run))
             self._obstacles = self._viewed('/viz/obstacles', qos.VIEW)
         for topic, markers in still.items():
             self._viewed(topic, qos.LATCHED).publish(markers)
@@ -141,10 +145,13 @@ class Markers(RunNode):
 
     def _draw(self, trails: bool) -> None:
         for topic, data in list(self._newest.items()):
-            if topic in self._bodies:
-                self._draw_one(topic, deserialize_message(data, RelativeState))
-            elif topic in self._moving:
-                self._draw_spheres(deserialize_message(data, Values), *self._moving[topic])
+            try:
+                if topic in self._bodies:
+                    self._draw_one(topic, read(data, RelativeState))
+                elif topic in self._moving:
+                    self._draw_spheres(read(data, Values), *self._moving[topic])
+            except Refused as why:
+                self.refuse(topic, str(why))
         self._newest.clear()
         if trails:
             for topic, path in self._paths.items():
@@ -152,6 +159,9 @@ class Markers(RunNode):
                     self._trails[topic].publish(path)
 
     def _draw_one(self, topic: str, state: RelativeState) -> None:
+        if state.step > self.run.last_step:
+            raise Refused(f'step {state.step} is beyond {self.run.last_step}, the last of any run')
+        self._taken[topic](state.step, state)
         self.step = max(self.step, state.step)
         if not state.valid:
             return
@@ -160,8 +170,8 @@ class Markers(RunNode):
         self._bodies[topic].publish(body(state, name, colour, self._params.ellipsoid_sigma, size))
         self._lengthen(self._paths[topic], state)
 
-    def _draw_spheres(self, message: Values, spheres: Spheres, codec: Parts) -> None:
-        rows = getattr(codec.decode(message.step, message), spheres.rows.part)
+    def _draw_spheres(self, message: Values, spheres: Spheres, taken: Callable) -> None:
+        rows = getattr(taken(message.step, message), spheres.rows.part)
         self._obstacles.publish(MarkerArray(markers=[
             sphere(message.header, spheres.name, i, place[:3].tolist(), radius, OBSTACLE, 0.75)
             for i, (place, radius) in enumerate(zip(rows, spheres.radii_m))

@@ -1,7 +1,8 @@
 """
 The judge as a node: reads truth and nothing else, outside the ring.
 
-Reads       the plant's truth; and who announces a writer on the topics of the run
+Reads       the plant's truth, each step once and in order; what else is there is refused;
+            and who announces a writer on the topics of the run
 Publishes   /run/verdict    rvd_interfaces/Verdict, at most 10 a second of wall time while the run
             goes on, and the final one
 
@@ -18,6 +19,7 @@ from rvd_dynamics import verdict_line
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.build import made
 from rvd_dynamics.diagram.judge import judgement
+from rvd_dynamics.diagram.ros.boundary import content, Refused
 from rvd_dynamics.diagram.ros.conversions import header_at, verdict_to_msg
 from rvd_dynamics.diagram.ros.host import Host, message_type
 from rvd_dynamics.diagram.ros.node import RunNode
@@ -25,6 +27,7 @@ from rvd_dynamics.diagram.ros.writers import LOOK_S, Writers
 from rvd_dynamics.diagram.roster import MONITOR
 from rvd_interfaces.msg import Verdict
 
+IN_A_ROW = 16                   # [steps] that come too early until one counts as lost
 PERIOD_S = 0.1                  # [s] wall time between two verdicts under way
 
 
@@ -37,6 +40,7 @@ class MissionMonitor(RunNode):
         self._published = time.monotonic()
         self._judged_final = False
         self._writers = Writers(self.roster, host.run_id, self)
+        self._ahead: list[int] = []             # steps in a row that came before they were due
 
     def connect(self) -> None:
         """Make the judge, listen to the truth, and see who writes."""
@@ -49,15 +53,48 @@ class MissionMonitor(RunNode):
         if self.host.is_local(truth.name):
             self.host.take(truth.name, self.guarded(self._on_truth))
             return
-        codec = made(truth.codec, lambda name: {'signal': truth, 'run': self.run}.get(name)
-                     or self.scenario.part(name), f'signal {truth.name}')
-        self.watch(truth.name, message_type(truth.message),
-                   lambda m: self._on_truth(m.step, codec.decode(m.step, m)), rests=True)
+        self._taken = content(truth, self.codec_of(truth))
+        self.watch(truth.name, message_type(truth.message), self._heard, rests=True)
+
+    def _heard(self, message: Any) -> None:
+        """Take truth from another process, if it is of the step that comes next."""
+        step, due = message.step, self.step + 1
+        try:
+            if step < due:
+                raise Refused(f'step {step} has been judged already')
+            if step > due:
+                self._beyond(step, due)
+            value = self._taken(step, message)
+        except Refused as why:
+            self.refuse(self.roster.diagram.truth.name, str(why))
+            return
+        self._ahead = []
+        if self.host.final_step is not None:
+            self.host.ending.goes_on(step)
+        self._on_truth(step, value)
+
+    def _beyond(self, step: int, due: int) -> None:
+        """
+        Refuse a step that is not due yet.
+
+        Raises
+        ------
+        BadInput
+            If it is one of several in a row, or the last one: what is due has been lost.
+        """
+        if step > self.run.last_step:
+            raise Refused(f'step {step} is beyond {self.run.last_step}, the last of any run here')
+        in_a_row = self._ahead and step == self._ahead[-1] + 1
+        self._ahead = [*self._ahead, step] if in_a_row else [step]
+        if len(self._ahead) >= IN_A_ROW or step == self.host.final_step:
+            self._give_up()
+        raise Refused(f'step {step} came where {due} is due')
+
+    def _give_up(self) -> None:
+        raise BadInput(f'truth jumps from step {self.step} to {self._ahead[0]}: a run with a gap '
+                       'cannot be judged')
 
     def _on_truth(self, step: int, truth: Any) -> None:
-        if step != self.step + 1:
-            raise BadInput(f'truth jumps from step {self.step} to {step}: a run with a gap '
-                           'cannot be judged')
         self.step = step
         self._judge.follow(step, truth)
         now = time.monotonic()
@@ -88,3 +125,5 @@ class MissionMonitor(RunNode):
         """Judge the final truth first, which may still be on its way."""
         if self._judged_final:
             self.finish()
+        elif final_step in self._ahead:
+            self._give_up()

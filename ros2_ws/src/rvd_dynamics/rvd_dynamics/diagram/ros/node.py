@@ -21,11 +21,15 @@ from rclpy.publisher import Publisher
 from rclpy.qos import QoSProfile
 from rclpy.subscription import Subscription
 
+from rvd_dynamics.bad_input import one_line
+from rvd_dynamics.diagram.build import made
 from rvd_dynamics.diagram.ros import qos
 from rvd_dynamics.diagram.ros.params import declare
 from rvd_dynamics.diagram.roster import Roster
 from rvd_dynamics.diagram.scenario import Scenario, sections_of, SHARED
+from rvd_dynamics.diagram.signal import Signal
 
+LONGEST = 300                   # [characters] of what is said about a message
 REST_S = 0.03                   # [s] wall time a watcher that has caught up lets messages gather
 
 
@@ -49,6 +53,7 @@ class RunNode(Node):
         self.finished = False
         self.step = -1                          # last step dealt with
         self.trouble: dict[str, str] = {}       # shown in /diagnostics
+        self.refused_count: dict[str, int] = {}     # messages left out, by topic
         self.subscriptions_of: dict[str, Subscription] = {}
         self.publishers_of: dict[str, Publisher] = {}
         self.held = self.scenario.has_shared('joy_input') and \
@@ -113,6 +118,14 @@ class RunNode(Node):
                 self.host.fail(self, error)
         return call
 
+    def codec_of(self, signal: Signal) -> Any:
+        """Return the codec of a signal, with what its constructor names."""
+        own = {'signal': signal, 'run': self.run, 'event': self.event}
+
+        def available(name: str) -> Any:
+            return own[name] if name in own else self.scenario.part(name)
+        return made(signal.codec, available, f'signal {signal.name}')
+
     # -- while it runs --------------------------------------------------------------------
 
     def rest(self, message_info: dict) -> None:
@@ -135,6 +148,14 @@ class RunNode(Node):
     def event(self, code: str, text: str) -> None:
         """Say on /run/events that something happened, once."""
         self.host.event(self, code, text)
+
+    def refuse(self, topic: str, why: str) -> None:
+        """Be told that a message cannot be and is left out: count, and say so once a topic."""
+        self.refused_count[topic] = self.refused_count.get(topic, 0) + 1
+        text = one_line(f'{topic}: {why}')[:LONGEST]
+        if self.refused_count[topic] == 1:
+            self.event('REFUSED', f'{text}: left out, as if it had not come')
+        self.trouble['refused'] = f'{text}: {sum(self.refused_count.values())} left out so far'
 
     # -- start and end --------------------------------------------------------------------
 

@@ -5,22 +5,24 @@ import time
 from typing import Any
 
 import numpy as np
-from rclpy.serialization import deserialize_message
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import Bool, String, UInt64
 
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.diagram.block import Block
-from rvd_dynamics.diagram.identity import in_words, who_is_ready
+from rvd_dynamics.diagram.identity import in_words, is_ready_words, who_is_ready
 from rvd_dynamics.diagram.ros import qos
 from rvd_dynamics.diagram.ros.block_node import BlockNode
+from rvd_dynamics.diagram.ros.boundary import read, Refused
 from rvd_dynamics.diagram.ros.host import Host, SLICE_S
+from rvd_dynamics.diagram.ros.node import LONGEST
 from rvd_dynamics.diagram.ros.wire import Layout
 from rvd_dynamics.diagram.roster import RECORDER, RECORDER_LEAD
 
 TICKS_PER_STEP = 8              # how often the wall clock is looked at in real time
 PATIENCE = 0.5                  # share of a step by which one may be late for want of its thrust
+MOST_STRANGERS = 100            # [runs] that are told of
 STILL_S = 2.0                   # [s] wall time between two looks: this process did not run
 
 
@@ -32,6 +34,8 @@ class PlantNode(BlockNode):
     realtime    step k is made at k * step_s / pace_factor of wall time; if the thrust of step k-1
                 is not here by then, when it comes, or half a step later without it.
     """
+
+    hurries = False                             # the clock alone says when a step is due
 
     def __init__(self, host: Host, block: Block) -> None:
         super().__init__(host, block)
@@ -77,6 +81,10 @@ class PlantNode(BlockNode):
             self.host.publish(self._end, '/run/end', -1, UInt64(data=k))
             self.host.end(k)
 
+    def latest(self) -> int:
+        """Return the step that was made last: nobody answers one that has not been."""
+        return self.step
+
     # -- start and pacing -------------------------------------------------------------------
 
     def may_fire(self) -> bool:
@@ -103,7 +111,13 @@ class PlantNode(BlockNode):
                           String(data=self.host.arguments.text()))
 
     def _heard_ready(self, data: bytes, info: dict) -> None:
-        words = deserialize_message(data, String).data
+        try:
+            words = read(data, String).data
+            if not is_ready_words(words):
+                raise Refused(f'{words[:LONGEST]!r} is no name of a node that is ready')
+        except Refused as why:
+            self.refuse('/run/ready', str(why))
+            return
         name, run = who_is_ready(words, self.host.run_id)
         if run != self.host.run_id:
             self._met(run, info['source_timestamp'])
@@ -129,7 +143,7 @@ class PlantNode(BlockNode):
         if not self.started or ready_ns <= self._started_ns:
             raise BadInput(f'another run has come into ROS_DOMAIN_ID={domain}: {in_words(run)}; '
                            'give each run its own')
-        if run not in self._strangers:
+        if run not in self._strangers and len(self._strangers) < MOST_STRANGERS:
             self._strangers.add(run)
             self.event('STRANGER', f'another run has come into ROS_DOMAIN_ID={domain} and was '
                        f'refused: {in_words(run)}; give each run its own')
@@ -152,6 +166,8 @@ class PlantNode(BlockNode):
 
     def _pace_kept(self) -> str:
         """Say how well real time was kept: commands that were missing, and when steps were made."""
+        if not self._late_s:
+            return f'{self.missing_count} commands missing; no step was due'
         middle, most, worst = (f'{1e3*late:.1f}' for late in
                                np.percentile(self._late_s, (50, 99, 100)))
         return (f'{self.missing_count} commands missing in {len(self._late_s)} steps; steps came '
@@ -166,7 +182,11 @@ class PlantNode(BlockNode):
                 self.event('STILL', f'the computer or this process stood still for {still_s:.0f} s '
                            'of wall time; simulation time goes on from where it was')
 
-    def _on_recorded(self, _: int, message: UInt64) -> None:
+    def _on_recorded(self, step: int, message: UInt64) -> None:
+        if step < 0 and not self._recorded < message.data <= self.step:     # from another process
+            self.refuse('/run/recorded_step', f'step {message.data} cannot be recorded after '
+                        f'{self._recorded} and in step {self.step}')
+            return
         self._recorded = message.data
 
     def _on_pause(self, paused: bool) -> None:

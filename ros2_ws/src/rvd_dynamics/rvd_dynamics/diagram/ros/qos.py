@@ -46,5 +46,11 @@ def of(topic: str, held: bool = False) -> QoSProfile:
 
 
 def taken(topic: str, held: bool = False) -> QoSProfile:
-    """Return the profile that readers of `topic` use; a held stick's writer may be anybody's."""
-    return TAKEN_STICK if topic in STICKS and held else of(topic, held)
+    """
+    Return the profile that readers of `topic` use; a held stick's writer may be anybody's.
+
+    What is said once, the end of the run say, is not pushed out of a reader's queue by a stranger.
+    """
+    if topic in STICKS and held:
+        return TAKEN_STICK
+    return EVENTS if topic in ('/run/end', '/run/pause') else of(topic, held)

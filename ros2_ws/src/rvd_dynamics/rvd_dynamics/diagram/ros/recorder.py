@@ -10,9 +10,11 @@ Parameters  the fields of RecorderParams
 The scenario is the first message. A message's log time is the simulation time of its step (of
 the newest step seen, for messages that belong to none), its publish time is wall time. Steps
 that never came, and messages that the disk did not take, are counted per topic and the counts
-stored as metadata records `rvd_missing` and `rvd_lost`.
+stored as metadata records `rvd_missing` and `rvd_lost`. A message of a ring topic whose step cannot
+be, or after which its writer does not go on, is refused and not stored.
 """
 
+import struct
 import time
 from pathlib import Path
 from typing import Callable
@@ -27,13 +29,16 @@ from rvd_dynamics.recording.params import RecorderParams
 from rvd_dynamics.recording.rosbag2 import qos_words
 from rvd_dynamics.recording.steps import StepLedger, step_reader
 from rvd_dynamics.diagram.ros import qos
+from rvd_dynamics.diagram.ros.boundary import Refused
+from rvd_dynamics.diagram.ros.horizon import Horizon
 from rvd_dynamics.diagram.ros.host import Host, message_type
 from rvd_dynamics.diagram.ros.node import RunNode
-from rvd_dynamics.diagram.roster import COMMON, MONITOR, RECORDER
+from rvd_dynamics.diagram.roster import COMMON, MONITOR, RECORDER, RECORDER_LEAD
 
 RECORDED_STEP = '/run/recorded_step'
 NOT_RECORDED = (RECORDED_STEP, '/parameter_events')     # our own, and what no run changes
 SCENARIO, VERDICT = '/run/scenario', '/run/verdict'
+MOST_BYTES = 1 << 20            # of a message at each firing: ours have a few kB
 REPORT_EVERY = 16               # [steps]
 LOOK_PERIOD_S = 1.0             # [s] wall time between two looks for new topics
 DRAIN_PERIOD_S = 0.1            # [s] wall time between two looks whether all has come
@@ -66,7 +71,11 @@ class BagRecorder(RunNode):
         self._judged_step = -1
         self._recorded: set[str] = set()
         self._unknown: set[str] = set()         # topics of types that are not installed
+        self._suspects: dict[str, tuple] = {}   # of each topic, what came before it was due
+        self._horizon = Horizon(self.run, self.run.last_step, queue=RECORDER_LEAD + REPORT_EVERY)
         self._complained = False
+        self._draining = None
+        self._stores: dict[str, Callable] = {}
         self._steps = self.writer(RECORDED_STEP, UInt64)
         for topic, period in self.roster.owed.items():
             self._ledger.expect(topic, period)
@@ -98,7 +107,7 @@ class BagRecorder(RunNode):
         latched = offered.durability == DurabilityPolicy.TRANSIENT_LOCAL
         self._bag.add_topic(topic, kind, qos_words(offered.depth, reliable, latched))
         self._recorded.add(topic)
-        store = self._writer_of(topic, kind)
+        store = self._stores[topic] = self._writer_of(topic, kind)
         if topic not in COMMON and self.host.is_local(topic):
             self.host.keep(topic, self.guarded(store))
             return
@@ -107,12 +116,66 @@ class BagRecorder(RunNode):
                           durability=taken.durability)
         read_step = step_reader(kind, self.run.step_ns)
 
+        owed = topic in self._ledger.last
+        strict = owed or topic == VERDICT
+
         def came(data: bytes, info: dict) -> None:
-            step = self.step if read_step is None else read_step(data)
-            store(step, data, info['source_timestamp'], info['publication_sequence_number'] or 0)
+            try:
+                step = self.step if read_step is None else self._believed(
+                    read_step(data), len(data), strict)
+            except (Refused, struct.error) as why:
+                self.refuse(topic, str(why))
+                return
+            message = (step, data, info['source_timestamp'],
+                       info['publication_sequence_number'] or 0)
+            for each in self._in_turn(topic, message) if owed else (message,):
+                store(*each)
             if topic == self._truth:
                 self.rest(info)
         self.watch_raw(topic, message_type(kind), came, deep)
+
+    def _believed(self, step: int, size: int, strict: bool) -> int:
+        """
+        Return the step at which a message is stored: its own, or the newest if that cannot be.
+
+        Raises
+        ------
+        Refused
+            If it is `strict`, of a topic that has a message at each firing, or the verdict.
+        """
+        if strict and size > MOST_BYTES:
+            raise Refused(f'step {step}: {size} bytes are more than the {MOST_BYTES} of any '
+                          'message here')
+        if self._horizon.believes(step, self.step):
+            return step
+        if strict:
+            raise Refused(self._horizon.words(step, self.step))
+        return self.step
+
+    def _in_turn(self, topic: str, message: tuple) -> tuple:
+        """
+        Return what of a topic may be stored now that this message has come.
+
+        A reliable writer leaves no step out; one that seems to has either lost some, and goes on
+        from there, or is not the writer.
+        """
+        step, suspect = message[0], self._suspects.pop(topic, None)
+        due, before = self._ledger.due(topic), ()
+        if suspect is not None and step > suspect[0]:
+            due, before = due + suspect[0] - self._ledger.last[topic], (suspect,)
+        elif suspect is not None:
+            self.refuse(topic, f'step {suspect[0]} came where {due} was due')
+        if step > due:
+            self._suspects[topic] = message
+            return before
+        return (*before, message)
+
+    def _clear(self, last: int) -> None:
+        """Store what came before it was due, up to a step; nothing more comes to go on with it."""
+        for topic, (step, *rest) in list(self._suspects.items()):
+            if step <= last:
+                del self._suspects[topic]
+                self._stores[topic](step, *rest)
 
     def _writer_of(self, topic: str, kind: str) -> Callable:
         """Return what stores the messages of one topic."""
@@ -134,6 +197,8 @@ class BagRecorder(RunNode):
             if owed:
                 self._heard = time.monotonic()
                 self._ledger.saw(topic, step)
+                if self.host.final_step is not None:
+                    self.host.ending.goes_on(step)
             if judges:
                 self._judged_step = step
             if paces:
@@ -193,10 +258,14 @@ class BagRecorder(RunNode):
 
     def on_end(self, final_step: int) -> None:
         """Wait for the last step of every topic, which may still be on its way."""
-        self._heard = time.monotonic()
-        self.create_timer(DRAIN_PERIOD_S, self.guarded(self._drain))
+        self._heard, self._complete = time.monotonic(), None
+        self._clear(final_step)
+        if self._draining is None:
+            self._draining = self.create_timer(DRAIN_PERIOD_S, self.guarded(self._drain))
 
     def _drain(self) -> None:
+        if self.host.final_step is None:        # it was not the end
+            return
         now = time.monotonic()
         if self._complete is None and self._all_here():
             self._complete = now
@@ -213,6 +282,7 @@ class BagRecorder(RunNode):
         """Close the bag; nobody waits for the recorder's own last messages."""
         if self._bag is None:                   # it could not be opened
             return
+        self._clear(self.step if self.host.final_step is None else self.host.final_step)
         if self._early:
             self._begin(self._early)
         self.settle()

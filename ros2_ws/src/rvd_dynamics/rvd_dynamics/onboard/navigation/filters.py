@@ -65,6 +65,11 @@ class FilterParams:
     speed_sigma_m_s: float = param(
         0.02, 'Assumed deviation of the velocity at the start from zero [m/s].', above=0.0,
         high=100.0)
+    gate_nis: float = param(
+        1e4, 'Normalised innovation squared, of attitude or position, above which a view is an '
+        'outlier and left out.', above=0.0)
+    gate_patience: int = param(
+        10, 'Outliers in a row after which the filters begin anew at the next view.', low=1)
 
 
 class Estimate(NamedTuple):
@@ -104,7 +109,8 @@ class Navigation:
         self._settings = (
             step_s, float(mean_motion), PREDICTORS.index(s.predictor), NORMS.index(s.norm),
             s.gyro == 'integrating', 0.5*alpha*fusion_s if inside else 0.0,
-            0.0 if inside else alpha)
+            0.0 if inside else alpha, s.gate_nis, s.gate_patience)
+        self.missed = np.zeros(rows, dtype=np.int64)        # outliers in a row
         self._noises = ((0.5*step_s*DEG*s.gyro_sigma_deg_s)**2, step_s*s.gyro_walk_rad_s**2,
                         (step_s*s.accel_sigma_m_s2)**2, step_s*s.accel_walk_m_s2**2)
         self._start = np.array([(DEG/3600.0*s.gyro_bias_deg_h)**2, s.speed_sigma_m_s**2,
@@ -132,7 +138,7 @@ class Navigation:
             np.array(part, dtype=float, order='C') for part in pose)  # read-only: compiled again
         nis = _compiled().advance(
             self.attitude, self.bias, self.attitude_covariance, self.state, self.covariance,
-            self.known, self._samples, place, turn, covariance, self._settings, self._noises,
+            self.known, self.missed, self._samples, place, turn, covariance, self._settings, self._noises,
             self._start, self._port, self._output)
         out = self._output
         return Estimate(out[:, 0:4].copy(), out[:, 4:7].copy(), out[:, 7:10].copy(),

@@ -13,6 +13,7 @@ from rvd_dynamics.compiled import compiled
 
 EULER, FROZEN, NEWEST = 0, 1, 2                     # predictors
 NONE, NORMALISED, PROJECTED = 0, 1, 2               # how the norm is kept
+MOST = 1e9                                          # of a NIS: that of an outlier may be infinite
 FAR_OFF = 1e-3                                      # norm error from which it is projected twice
 
 
@@ -193,8 +194,12 @@ def joseph(p, k, h, noise):
 
 
 @compiled
-def see_attitude(q, b, p, seen, noise, injected, norm):
-    """Take a measured attitude in place; return its normalised innovation squared."""
+def see_attitude(q, b, p, seen, noise, injected, norm, gate):
+    """
+    Take a measured attitude in place; return its normalised innovation squared.
+
+    One that is above `gate` is left out.
+    """
     size = q[0]**2 + q[1]**2 + q[2]**2 + q[3]**2
     dq = times((-q[0]/size, -q[1]/size, -q[2]/size, q[3]/size), seen)
     sign = 1.0 if dq[3] >= 0.0 else -1.0
@@ -207,6 +212,8 @@ def see_attitude(q, b, p, seen, noise, injected, norm):
             nis += z[i]*si[i, j]*z[j]
         for j in range(6):
             dx[j] += k[j, i]*z[i]
+    if not nis <= gate:
+        return nis if nis < MOST else MOST
     h = np.zeros((3, 6))
     h[0, 0] = h[1, 1] = h[2, 2] = 1.0
     p[:, :] = joseph(p, k, h, noise)
@@ -216,8 +223,12 @@ def see_attitude(q, b, p, seen, noise, injected, norm):
 
 
 @compiled
-def see_position(s, p, r, seen, port, noise):
-    """Take the port's place in craft axes in place; return its normalised innovation squared."""
+def see_position(s, p, r, seen, port, noise, gate):
+    """
+    Take the port's place in craft axes in place; return its normalised innovation squared.
+
+    One that is above `gate` is left out.
+    """
     h = np.zeros((3, 9))
     y = seen.copy()
     for i in range(3):
@@ -231,6 +242,9 @@ def see_position(s, p, r, seen, port, noise):
     for i in range(3):
         for j in range(3):
             nis += y[i]*si[i, j]*y[j]
+    if not nis <= gate:
+        return nis if nis < MOST else MOST
+    for i in range(3):
         for j in range(9):
             s[j] += k[j, i]*y[i]
     p[:, :] = joseph(p, k, h, noise)
@@ -246,16 +260,17 @@ def lever(place, p):
 
 
 @compiled
-def advance(q, b, p, s, ps, known, samples, place, turn, covariance, settings, noises, start, port,
+def advance(q, b, p, s, ps, known, missed, samples, place, turn, covariance, settings, noises, start, port,
             output):
     """
     Carry the filters of all rows over a step in place; return both NIS (N, 2), NaN if none.
 
     State (N, ...); `samples` (N, L + 1, 6) gyro and specific force, oldest first, of which the
     oldest is the step of the filters. `place`, `turn`, `covariance`: what was seen at that step,
-    NaN if nothing. `output` (N, 16): q, rate, r, V, d at the newest sample.
+    NaN if nothing. `output` (N, 16): q, rate, r, V, d at the newest sample. `missed` (N,): views
+    in a row that were outliers; after `patience` of them the next one is where a row begins anew.
     """
-    dt, n, predictor, norm, counting, injected, in_covariance = settings
+    dt, n, predictor, norm, counting, injected, in_covariance, gate, patience = settings
     q_dq, q_b, q_v, q_d = noises
     nis = np.full((len(q), 2), np.nan)
     depth = samples.shape[1]
@@ -263,6 +278,11 @@ def advance(q, b, p, s, ps, known, samples, place, turn, covariance, settings, n
                                  np.empty((9, 9)), np.empty((3, 3)))
     for i in range(len(q)):
         seen = np.isfinite(place[i, 0])
+        if seen and missed[i] >= patience:
+            known[i], missed[i] = False, 0
+        if not known[i] and seen:               # nothing is held against it but its own length
+            size = turn[i, 0]**2 + turn[i, 1]**2 + turn[i, 2]**2 + turn[i, 3]**2
+            seen = abs(size - 1.0) < 0.1
         if known[i]:
             before = samples[i, 1 if counting else 0]
             now = samples[i, 1]
@@ -284,9 +304,12 @@ def advance(q, b, p, s, ps, known, samples, place, turn, covariance, settings, n
                 ps[i, 6 + j, 6 + j] += q_d
             if seen:
                 noise = 0.25*covariance[i, 3:, 3:]
-                nis[i, 0] = see_attitude(q[i], b[i], p[i], turn[i], noise, injected, norm)
-                noise = covariance[i, :3, :3] + lever(place[i], p[i, :3, :3])
-                nis[i, 1] = see_position(s[i], ps[i], rotation(q[i]), place[i], port, noise)
+                nis[i, 0] = see_attitude(q[i], b[i], p[i], turn[i], noise, injected, norm, gate)
+                if nis[i, 0] <= gate:
+                    noise = covariance[i, :3, :3] + lever(place[i], p[i, :3, :3])
+                    nis[i, 1] = see_position(s[i], ps[i], rotation(q[i]), place[i], port, noise,
+                                             gate)
+                missed[i] = 0 if nis[i, 1] <= gate else missed[i] + 1
         elif seen:
             known[i] = True
             q[i] = turn[i]
