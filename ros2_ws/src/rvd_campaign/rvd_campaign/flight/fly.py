@@ -15,8 +15,7 @@ from pathlib import Path
 from typing import Any, Callable
 
 from rvd_campaign import catalogue
-from rvd_campaign.cpu import cpu_s
-from rvd_campaign.flight import verdict
+from rvd_campaign.flight import kept, verdict
 from rvd_dynamics.recording import drawing, reader
 from rvd_campaign.exits import (
     CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_FAILED, EXIT_FAULT, EXIT_INTERRUPTED)
@@ -25,15 +24,13 @@ from rvd_dynamics.diagram.roster import listed
 from rvd_dynamics.diagram.scenario import load, Scenario
 from rvd_campaign.interrupts import uninterrupted
 from rvd_campaign.flight.supervisor import Supervisor
+from rvd_campaign.flight.vigil import STALL_S, Vigil
 from rvd_campaign.report.attempt import attempt
 from rvd_groundstation.operators.tape import read_tape, TOPIC
 
 # [s] wall time for the graph to come up; in real time it compiles before it starts, where it must
 START_S = {'lockstep': 60.0, 'realtime': 180.0}
 END_S = 15.0                    # [s] wall time for the nodes to end after the verdict
-STALL_S = 10.0                  # [s] wall time without a step before the run is given up,
-WORK_S = 120.0                  # [s] and where a process computes meanwhile: a first use compiles
-BUSY = 0.1                      # share of a core that is more than waiting
 USUAL_PACE = '10'               # of a scenario that names none
 SHOW_S = 0.2                    # [s] wall time between two looks
 STOPPED_S = 5.0                 # [s] wall time without a look: this process did not run
@@ -197,8 +194,10 @@ class Flight:
         except BaseException:                       # Ctrl-C, too
             self._supervisor.stop()
             raise
+        self._vigil = Vigil(
+            self._roster.processes, self._supervisor.pulse, self._supervisor.left,
+            [name for name, e in self._roster.externals.items() if e.foreign or e.viewer])
         self._shown_at, self._shown = 0.0, ''
-        self._spent = time.monotonic(), 0.0, False      # when, CPU time of the ring, whether busy
         self._on_line = False
 
     def fly(self) -> int:
@@ -222,13 +221,17 @@ class Flight:
             return EXIT_FAULT if self._fault else EXIT_CANNOT
         last, links = self._outcome()
         judged = verdict.outcome(last, interrupted)
-        content = verdict.as_dict(judged, links, self._scenario)
+        held = self._kept(last)
+        content = verdict.as_dict(judged, links, self._scenario, held)
         verdict.write(self._run_dir / 'verdict.json', content)
         print(verdict.in_words(judged), flush=True)
         if interrupted:
             return EXIT_INTERRUPTED
         from rvd_campaign.report.run import write_report        # takes a while, loaded meanwhile
         attempt(write_report, self._run_dir, self._run_dir / 'logs' / 'report.log')
+        if held is not None and not held.complete:
+            print(f'rvd fly: {held.in_words()}', file=sys.stderr)
+            return EXIT_CANNOT
         return EXIT_DONE if judged.success else EXIT_FAILED
 
     def _follow(self) -> str | None:
@@ -270,6 +273,8 @@ class Flight:
                                  - {e.name for e in foreign})
                 return (f'the graph did not come up in {start_s:g} s: not ready: '
                         f'{", ".join(waiting) or self._roster.diagram.plant}')
+            if lost := self._vigil.given_up():
+                return lost
             if self._stalled(now):
                 return f'no step for {STALL_S:g} s of wall time: {self._owing()}'
 
@@ -292,6 +297,8 @@ class Flight:
         begun = time.monotonic()
         self._watch.spin(seconds)
         self._show()
+        for sentence in self._vigil.look():
+            self._say(sentence)
         stopped_s = time.monotonic() - begun
         if stopped_s < STOPPED_S:
             return 0.0
@@ -344,10 +351,12 @@ class Flight:
         foreign = {e.name for e in self._roster.diagram.externals if e.foreign}
         while not self._supervisor.ended and time.monotonic() < deadline:
             self._supervisor.end_if_left(foreign)
+            for name in self._supervisor.let_go_on():
+                self._say(f'{name} was stopped; the run is over, and it is let go on')
             deadline += self._look(SHOW_S)
             if self._written() != written:
                 deadline, written = time.monotonic() + END_S, self._written()
-        late = sorted(set(self._supervisor.pids) - set(self._supervisor.codes))
+        late = sorted(self._supervisor.left())
         if late:
             self._end_line()
             print(f'rvd fly: {", ".join(late)} did not end after the flight and is ended now',
@@ -370,24 +379,7 @@ class Flight:
         patience = STALL_S
         if run.pace == 'realtime':
             patience = max(patience, 4.0 * run.step_s / run.pace_factor)
-        silent = now - watch.progress_at
-        if silent < 0.5*patience:
-            self._spent = now, self._cpu_s(), False
-        return silent > patience and (silent > WORK_S or not self._computes(now, 0.4*patience))
-
-    def _computes(self, now: float, lately: float) -> bool:
-        """Say whether the processes of the ring have done more than wait, within `lately` [s]."""
-        since, before, _ = self._spent
-        if now - since > lately:
-            spent = self._cpu_s()
-            self._spent = now, spent, spent - before > BUSY*(now - since)
-        return self._spent[2]
-
-    def _cpu_s(self) -> float:
-        pids = self._supervisor.pids
-        return sum(cpu_s(pids[process.name]) for process in self._roster.processes
-                   if process.name in pids and not self._roster.blocks.keys().isdisjoint(
-                       process.nodes))
+        return now - watch.progress_at > patience and not self._vigil.waits
 
     def _why(self, failures: dict[str, int]) -> str:
         parts = {}
@@ -400,7 +392,20 @@ class Flight:
             parts[name] = f'{name} {how}' + (f': {words}' if words else '')
         return '; '.join(parts.values())
 
+    def _kept(self, judged: Any) -> kept.Kept | None:
+        """Return what the bag holds of a run that came to its end; None of another."""
+        if not self._is_final(judged):
+            return None
+        last = max(judged.step, self._supervisor.pulse.final)
+        return kept.kept(self._run_dir, self._roster.owed, self._roster.diagram.truth.name, last)
+
     # -- what is shown --------------------------------------------------------------------
+
+    def _say(self, sentence: str) -> None:
+        """Say what has happened to the processes of the run."""
+        self._end_line()
+        step = max(self._supervisor.pulse.flown, 0)
+        print(f'  {step * self._run.step_s:.1f} s {sentence}', flush=True)
 
     def _show(self) -> None:
         for event in self._watch.new_events():

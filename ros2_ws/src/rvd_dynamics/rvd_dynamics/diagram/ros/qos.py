@@ -20,7 +20,7 @@ def _profile(depth: int, durability: DurabilityPolicy) -> QoSProfile:
 RING = _profile(DEPTH, DurabilityPolicy.TRANSIENT_LOCAL)
 LATCHED = _profile(1, DurabilityPolicy.TRANSIENT_LOCAL)
 EVENTS = _profile(100, DurabilityPolicy.TRANSIENT_LOCAL)
-CLOCK = _profile(10, DurabilityPolicy.VOLATILE)
+CLOCK = _profile(DEPTH, DurabilityPolicy.VOLATILE)      # for a recorder that was stopped
 HELD_STICK = _profile(1, DurabilityPolicy.VOLATILE)     # what a standard joy node offers
 TAKEN_STICK = QoSProfile(       # takes reliable and best-effort drivers; only the newest counts
     depth=1, reliability=ReliabilityPolicy.BEST_EFFORT, durability=DurabilityPolicy.VOLATILE)
