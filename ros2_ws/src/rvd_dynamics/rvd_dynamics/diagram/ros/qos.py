@@ -36,9 +36,9 @@ def of(topic: str, held: bool = False) -> QoSProfile:
         return DIAGNOSTICS
     if topic in STICKS and held:
         return HELD_STICK
-    if topic in ('/run/events', '/run/ready'):      # many writers, one queue at the reader
-        return EVENTS
-    if topic in ('/run/recorded_step', '/run/verdict'):
+    if topic in ('/run/events', '/run/ready', '/run/verdict'):  # many writers, one queue at the
+        return EVENTS                                           # reader; or ten a second
+    if topic == '/run/recorded_step':
         return RING
     if topic.startswith('/run/') or topic == '/tf_static':
         return LATCHED
