@@ -10,9 +10,10 @@ import signal
 import threading
 import time
 
+from diagnostic_msgs.msg import DiagnosticArray
 import pytest
-from runs import (
-    alive, end, in_flight, node_pid, start_rvd, states, verdict_of, wait_for)
+from runs import alive, end, in_flight, node_pid, start_rvd, states, verdict_of, wait_for
+from test_by_hand import Hand
 
 from rvd_campaign.report.run import page
 from rvd_dynamics.recording.reader import read
@@ -146,3 +147,24 @@ def test_a_recording_with_steps_missing_is_called_so_everywhere(flying, tmp_path
     last = said(tmp_path).splitlines()[-1]
     assert last.startswith(f'rvd fly: the recording is incomplete: it holds {stored} of 121 steps')
     assert 'The bag was cut off' in page(read(tmp_path / 'run'))
+
+
+@pytest.mark.slow
+@pytest.mark.patient
+def test_a_node_that_has_nothing_to_do_gives_signs_of_life_all_the_same(tmp_path):
+    """Of nodes started by hand, /diagnostics is the sign; a stopped one gives none."""
+    (tmp_path / 's.yaml').write_text('/**: {ros__parameters: {}}')
+    hand = Hand(tmp_path / 's.yaml')
+    try:
+        heard = hand.listen('/diagnostics', DiagnosticArray)
+        hand.start('mission_monitor', '-p', 'nodes:=[mission_monitor]')
+        hand.until(lambda: len(heard) >= 3, 'three signs of life')
+        assert {status.name for message in heard for status in message.status} == {
+            'mission_monitor'}
+        monitor = hand.processes['mission_monitor']
+        monitor.send_signal(signal.SIGSTOP)
+        hand.until_still(heard, 2.5)
+        monitor.send_signal(signal.SIGCONT)
+        hand.until(lambda: 'stood still' in heard[-1].status[0].message, 'what it says of that')
+    finally:
+        hand.close()

@@ -198,11 +198,12 @@ def _leak(quick: bool, _: Checkout | None) -> dict:
 def _leak_rows(r: dict) -> list[Row]:
     from rvd_campaign.bench.leak import MAX_BYTES
     rows = []
-    for processes, found in r.items():
-        most = max(found['bytes_per_step'].values())
-        rows.append(Row(f'processes {processes}, {found["steps"]} steps: most growth a step',
+    for sharing, found in r.items():
+        most = max(growth / found['nodes'][name]
+                   for name, growth in found['bytes_per_step'].items())
+        rows.append(Row(f'processes {sharing}, {found["steps"]} steps: most growth, step and node',
                         f'{most:.1f} B', f'< {MAX_BYTES:g} B', most < MAX_BYTES))
-        rows += [Row(f'  {name}, {found["megabytes"][name]:.0f} MB', f'{growth:.1f} B')
+        rows += [Row(f'  {name}, {found["megabytes"][name]:.0f} MB: a step', f'{growth:.1f} B')
                  for name, growth in found['bytes_per_step'].items()]
     return rows
 

@@ -29,7 +29,7 @@ from rvd_dynamics.diagram.scenario import load
 STEPS = {'blocks': 20_000, 'segments': 40_000, 'one': 60_000}   # measured; each takes minutes
 QUICK = {'one': 6_000}
 WARM_UP_STEPS = 2*DEPTH         # [steps] after which every history of DDS is full
-MAX_BYTES = 16.0                # [bytes] a step and process: 16 MB in a million steps
+MAX_BYTES = 16.0                # [bytes] a step and node: 16 MB in a million steps
 PERIOD_S = 0.5                  # [s] wall time between two notes
 STALL_S = 60.0                  # [s] wall time without a step: it is given up
 SCENARIO = """
@@ -47,6 +47,7 @@ SCENARIO = """
 class Notes:
     """Memory of the processes of a run by step."""
 
+    nodes: dict[str, int] = field(default_factory=dict)             # how many, by process
     steps: list[int] = field(default_factory=list)
     memory: list[dict[str, int]] = field(default_factory=list)      # [bytes] by process
 
@@ -74,6 +75,7 @@ def measure(quick: bool = False, steps: dict[str, int] | None = None) -> dict:
         found[processes] = {
             'steps': notes.steps[-1] - notes.steps[0],
             'bytes_per_step': {n: round(g, 2) for n, g in notes.growth().items()},
+            'nodes': notes.nodes,
             'megabytes': {n: round(m/1e6, 1) for n, m in notes.memory[-1].items()}}
     return found
 
@@ -91,9 +93,11 @@ def fly(processes: str, steps: int, folder: Path, domain: int) -> Notes:
     path = folder / 'scenario.yaml'
     path.write_text(SCENARIO.format(processes=processes, timeout_s=0.1*(last + 1000)))
     (folder / 'logs').mkdir()
+    roster = listed(load(path), headless=False)
     supervisor = Supervisor(catalogue.root() / 'scripts' / 'bringup.sh', path, folder, False,
-                            domain, listed(load(path), headless=False), new_run())
-    notes, moved, newest = Notes(), time.monotonic(), -1
+                            domain, roster, new_run())
+    notes = Notes({process.name: len(process.nodes) for process in roster.processes})
+    moved, newest = time.monotonic(), -1
     try:
         while newest < last:
             time.sleep(PERIOD_S)

@@ -9,6 +9,7 @@ that `/run/end` names is over.
 
 from collections import defaultdict
 from collections.abc import Callable
+import gc
 import importlib
 import os
 import re
@@ -391,6 +392,8 @@ def run(make: Callable[[Host], None], arguments: Arguments, argv: list[str]) -> 
         host = Host(arguments)
         make(host)
         listen_for_the_end(host)
+        gc.freeze()                             # what is loaded stays: not to be looked through
+        gc.collect()                            # again, nor what garbage is small against
         host.spin()
     except (KeyboardInterrupt, ExternalShutdownException):
         pass
