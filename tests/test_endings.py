@@ -72,8 +72,8 @@ def test_a_hung_node_is_named_and_the_run_ends_with_2(victim, scenario, flying, 
     assert process.wait(60.0) == 2
     said = (tmp_path / 'out').read_text()
     assert said.count('no sign of life') == 2, said             # of nobody else
-    assert (f'{victim} has given no sign of life for 10 s of wall time: it is stopped'
-            in said), said
+    assert (f'{victim} has given no sign of life for 10 s of wall time: {victim} owes a message; '
+            'it is stopped') in said, said
     assert not alive(pid)
 
 

@@ -37,7 +37,7 @@ class Run:
 def run():
     made = Run()
     made.goes(5.0)
-    assert made.said == [] and not made.vigil.silent and made.vigil.given_up() == ''
+    assert made.said == [] and not made.vigil.silent and not made.vigil.given_up()
     return made
 
 
@@ -54,9 +54,11 @@ def test_silence_is_told_once_within_three_seconds_and_given_up_later(
     assert told.startswith('process link (link_back, link_forward) has given no sign of life')
     assert f'it {how}' in told and f'given up after {patience_s} s' in told
     run.goes(patience_s - 3.0, beats=False, busy=busy)
-    assert len(run.said) == 1 and run.vigil.given_up() == '' and run.vigil.waits
+    assert len(run.said) == 1 and not run.vigil.given_up() and run.vigil.waits
     run.goes(1.0, beats=False, busy=busy)
-    assert f'no sign of life for {patience_s} s of wall time: it {how}' in run.vigil.given_up()
+    lost = run.vigil.given_up()
+    assert f'no sign of life for {patience_s} s of wall time: it {how}' in run.vigil.in_words(lost)
+    assert f'wall time: a owes; it {how}' in run.vigil.in_words(lost, 'a owes; ')
 
 
 def test_a_process_that_comes_back_is_told_of_and_starts_anew(run):
@@ -72,9 +74,9 @@ def test_a_process_that_comes_back_is_told_of_and_starts_anew(run):
 
 def test_one_that_computed_and_then_hangs_is_given_up_as_one_that_hangs(run):
     run.goes(20.0, beats=False, busy=1.0)
-    assert run.vigil.given_up() == ''
+    assert not run.vigil.given_up()
     run.goes(5.0, beats=False)
-    assert 'it hangs' in run.vigil.given_up()
+    assert 'it hangs' in run.vigil.in_words(run.vigil.given_up())
 
 
 def test_while_this_process_does_not_run_nobody_is_to_blame(run):
@@ -98,4 +100,4 @@ def test_a_foreign_process_is_silent_only_when_it_is_stopped_and_the_flight_goes
     run.goes(20.0)
     assert run.said == ['joy_node has given no sign of life for 2.2 s: it is stopped (SIGSTOP, '
                         'or a debugger); the flight goes on without it'] or len(run.said) == 1
-    assert run.vigil.given_up() == '' and not run.vigil.waits
+    assert not run.vigil.given_up() and not run.vigil.waits

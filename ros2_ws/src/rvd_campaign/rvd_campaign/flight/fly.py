@@ -274,7 +274,7 @@ class Flight:
                 return (f'the graph did not come up in {start_s:g} s: not ready: '
                         f'{", ".join(waiting) or self._roster.diagram.plant}')
             if lost := self._vigil.given_up():
-                return lost
+                return self._vigil.in_words(lost, self._owed_by({s.name for s in lost}))
             if self._stalled(now):
                 return f'no step for {STALL_S:g} s of wall time: {self._owing()}'
 
@@ -307,9 +307,17 @@ class Flight:
         self._watch.progress_at += stopped_s
         return stopped_s
 
-    def _owing(self) -> str:
-        """Say which nodes owe a message, and in which process they are if it is not their own."""
+    def _owed_by(self, processes: set[str]) -> str:
+        """Say in lock step which nodes of silent processes owe a message; empty if none does."""
+        if self._run.pace != 'lockstep' or not self._watch.steps:
+            return ''
         owing = self._watch.who_owes()
+        silent = owing and {self._roster.process_of[name] for name in owing} <= processes
+        return f'{self._owing(owing)}; ' if silent else ''
+
+    def _owing(self, owing: list[str] | None = None) -> str:
+        """Say which nodes owe a message, and in which process they are if it is not their own."""
+        owing = self._watch.who_owes() if owing is None else owing
         homes = dict.fromkeys(self._roster.process_of[name] for name in owing)
         shared = '' if list(homes) == owing else f' (process {", ".join(homes)})'
         verb = 'owe' if len(owing) > 1 else 'owes'

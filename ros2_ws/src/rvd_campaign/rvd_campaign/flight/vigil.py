@@ -96,12 +96,16 @@ class Vigil:
         return ('the flight goes on without it' if silent.name in self._spared else
                 f'the flight is given up after {silent.patience_s:g} s')
 
-    def given_up(self) -> str:
-        """Return in words whose silence has lasted too long; empty while there is hope."""
-        lost = [s for s in self.silent.values()
+    def given_up(self) -> list[Silent]:
+        """Return those whose silence has lasted too long; none while there is hope."""
+        return [s for s in self.silent.values()
                 if s.seconds > s.patience_s and s.name not in self._spared]
+
+    def in_words(self, lost: list[Silent], owing: str = '') -> str:
+        """Return one sentence for each of `lost`; `owing`: what they owe, where that is known."""
         return '; '.join(f'{self._words[s.name]} has given no sign of life for '
-                         f'{s.patience_s:g} s of wall time: it {MEANT[s.how]}' for s in lost)
+                         f'{s.patience_s:g} s of wall time: {owing}it {MEANT[s.how]}'
+                         for s in lost)
 
     @property
     def waits(self) -> bool:
