@@ -97,10 +97,8 @@ class Pulse:
     def __len__(self) -> int:
         return len(self._words) - FIRST
 
-    def close(self) -> None:
-        """Let go of the page."""
-        self._words.release()
-        self._page.close()
+    def handed_on(self) -> None:
+        """Close the descriptor, which others have inherited by now; the page stays."""
         if self.file >= 0:
             os.close(self.file)
             self.file = -1

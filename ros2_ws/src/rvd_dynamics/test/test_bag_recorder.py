@@ -232,7 +232,7 @@ def test_a_recorder_that_never_heard_the_end_counts_by_what_the_plant_has_noted(
                                          {'/onboard/downlink': '0', '/onboard/measurement': '0'})
     assert made.notes('rvd_recording').get('last_step') == ('9' if noted else None)
     assert page.beaten_s(1) is None             # it has done its work
-    page.close()
+    page.handed_on()
 
 
 @pytest.mark.parametrize('argument, complaint', [

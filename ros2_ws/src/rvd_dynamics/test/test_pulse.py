@@ -27,7 +27,7 @@ def test_what_a_process_notes_the_one_that_made_the_page_sees():
     assert (page.beaten_s(0), page.beaten_s(2), page.flown, page.final) == (None, None, 7, 9)
     with pytest.raises(PermissionError):        # nobody can take it from under the others
         os.ftruncate(page.file, 0)
-    page.close()
+    page.handed_on()
 
 
 @pytest.mark.parametrize('given', ['', 'x', '-1', '77777', '1e3', 'another file'])
@@ -82,7 +82,7 @@ def test_a_node_lets_a_stopped_bring_up_go_on_when_the_command_has_gone(cut):
         os.kill(bring_up.pid, signal.SIGSTOP)
         deadline = time.monotonic() + 20.0
         if not cut:
-            time.sleep(1.5)
+            time.sleep(0.6)
             assert state(bring_up.pid) == 'T'
             return
         os.close(ours)

@@ -10,7 +10,7 @@ import toy_mission
 from rvd_dynamics.diagram.ros.host import Host
 from rvd_dynamics.diagram.ros.main import make
 
-HELD_S = 1.8                    # [s] three times as long as an idle process is silent
+HELD_S = 1.5                    # [s] three times as long as an idle process is silent
 
 
 @pytest.mark.parametrize('held', [False, True])
@@ -24,9 +24,9 @@ def test_a_process_is_silent_for_as_long_as_its_work_takes_and_no_longer(held, r
     def work():
         timer.cancel()
         time.sleep(HELD_S if held else 0.0)
-    timer = node.create_timer(1.0, work)
+    timer = node.create_timer(0.6, work)
     try:
-        host.spin(lambda: time.monotonic() - begun > 3.5)
+        host.spin(lambda: time.monotonic() - begun > 2.6)
     finally:
         node.destroy_node()
     gaps = [later - sooner for sooner, later in zip(beats, beats[1:])]

@@ -52,6 +52,7 @@ class Supervisor:
                 'ROS_LOG_DIR': str(run_dir.resolve() / 'logs'),
                 'RVD_PROCESSES': '\n'.join(lines(roster, str(run_dir.resolve()), run_id))})
         os.close(line)
+        self.pulse.handed_on()
         self._lines: queue.Queue[str] = queue.Queue()
         self._reader = threading.Thread(target=self._read, daemon=True)
         self._reader.start()
