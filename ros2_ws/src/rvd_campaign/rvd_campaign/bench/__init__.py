@@ -32,7 +32,8 @@ def main(args: argparse.Namespace) -> int:
     if args.out:
         check_file('--out', args.out, new=False)
     # only when asked for: the console's needs a browser, and a leak takes a quarter of an hour
-    names = [n for n in PARTS if n not in ('console', 'leak')] if args.part == 'all' else [args.part]
+    names = [args.part] if args.part != 'all' else [
+        name for name in PARTS if name not in ('console', 'leak')]
     before = Checkout(Path(args.before)) if args.before else None
     content = {'machine': processes.machine(), 'time': time.strftime('%Y-%m-%dT%H:%M:%SZ',
                                                                      time.gmtime())}

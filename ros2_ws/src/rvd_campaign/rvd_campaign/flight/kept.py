@@ -95,7 +95,7 @@ def _content(path: Path) -> tuple[dict[str, int], dict[str, dict[str, str]]]:
                          for number, channel in summary.channels.items()},
                         {note.name: note.metadata for note in reader.iter_metadata()})
     except (McapError, ValueError, EOFError, OSError):
-        pass                                    # it has no index: it was cut off, or the disk is full
+        pass                                    # it has no index: cut off, or the disk is full
     content = MessageFile(path)
     for _ in content:
         pass

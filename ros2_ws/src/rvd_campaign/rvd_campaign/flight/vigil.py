@@ -120,7 +120,7 @@ class Vigil:
             beaten = beaten or self._stopped_at.setdefault(name, now)
         else:
             self._stopped_at.pop(name, None)
-        if beaten is None:                      # it has not begun, is not ours, or has done its work
+        if beaten is None:                      # not begun, not ours, or done with its work
             return None
         seconds = now - max(beaten, self._since)
         if found.state in cpu.STOPPED:

@@ -38,7 +38,7 @@ class Lateness:
         self._number += 1
 
     def percentile(self, percent: float) -> float:
-        """Return the lateness [s] that so many percent do not exceed (nearest rank); NaN of none."""
+        """Return what so many percent do not exceed [s] (nearest rank); NaN of none."""
         if not self._number:
             return math.nan
         left = max(math.ceil(self._number*percent/100.0), 1)
