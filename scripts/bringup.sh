@@ -12,8 +12,9 @@
 #
 # Prints `start NAME PID` for each process and `exit NAME CODE` when it has ended; ends when all
 # have. On SIGINT, SIGTERM or SIGHUP, or when one has failed, it ends them: the recorder last, so
-# that the bag holds what the others said at the end, and by SIGKILL what does not go. Nodes do not
-# outlive it, however it ends (rvd_dynamics/lifeline.py). Exit code 0 if every process ended well.
+# that the bag holds what the others said at the end, and by SIGKILL what does not go; on SIGUSR1,
+# which comes when `fly` was killed, within 4 seconds. Nodes do not outlive it, however it ends
+# (rvd_dynamics/lifeline.py). Exit code 0 if every process ended well.
 
 [ -n "${BASH_VERSION:-}" ] || exec bash "$0" "$@"        # as `sh bringup.sh`
 set +o posix
@@ -21,7 +22,7 @@ set -u
 unset CDPATH                                    # or `cd` prints, and goes elsewhere
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 case "${1:-}" in
-    -h | --help | '') sed -n '3,18s/^# \{0,1\}//p' "$0"; [ -n "${1:-}" ]; exit $(($? * 2)) ;;
+    -h | --help | '') sed -n '3,19s/^# \{0,1\}//p' "$0"; [ -n "${1:-}" ]; exit $(($? * 2)) ;;
 esac
 if ! [[ ":${AMENT_PREFIX_PATH:-}:" == *rvd_dynamics:* ]]; then      # workspace not sourced yet
     exec "$here/../rvd" shell "$0" "$@"
@@ -74,7 +75,16 @@ stop() {
     stage=others
     end_within $STOP_S $(others)
 }
+hurry() {                               # nobody waits for this run any more
+    STOP_S=2.5 BAG_S=1.5
+    case $stage in
+        run) stop ;;
+        others) end_within $STOP_S $(others) ;;
+        recorder) end_within $BAG_S $recorder ;;
+    esac
+}
 trap stop INT TERM HUP
+trap hurry USR1
 trap 'kill -KILL $(jobs -p) 2>/dev/null' EXIT
 
 # One line a process, the recorder's last: its name, package and executable, and what it is told

@@ -12,7 +12,10 @@ from runs import (
     alive, end, in_flight, messages, node_pid, pids_under, rvd, start_rvd, verdict_of,
     wait_for)
 
-from rvd_campaign.flight import fly
+from rvd_campaign.flight import fly, vigil
+from rvd_campaign.flight.supervisor import Supervisor
+from rvd_dynamics.diagram.roster import Process
+from rvd_dynamics.pulse import Pulse
 from rvd_dynamics.recording.reader import read
 
 
@@ -59,14 +62,18 @@ def test_a_killed_node_is_named_and_the_run_ends_with_2(victim, flying, tmp_path
     ('auto_controller', 'paper'), ('link_back', 'paper'), ('bag_recorder', 'paper'),
     ('operator_model', 'barrier')])             # there the law waits for the stick, too
 def test_a_hung_node_is_named_and_the_run_ends_with_2(victim, scenario, flying, tmp_path):
-    """A stalled step in lock step: 10 s of patience, then the name of the node that owes it."""
+    """In lock step all stand still together: who is stopped is told at once, the run given up later."""
     process = flying(scenario, '--pace', 'lockstep')
     pid = node_pid(process.pid, victim)
     in_flight(tmp_path / 'run', 50)
     os.kill(pid, signal.SIGSTOP)
+    stopped = f's {victim} has given no sign of life for 2.'
+    wait_for(lambda: stopped in (tmp_path / 'out').read_text(), 'its name', 3.0)
     assert process.wait(60.0) == 2
     said = (tmp_path / 'out').read_text()
-    assert f'wall time: {victim} owes a message' in said, said
+    assert said.count('no sign of life') == 2, said             # of nobody else
+    assert (f'{victim} has given no sign of life for 10 s of wall time: {victim} owes a message; '
+            'it is stopped') in said, said
     assert not alive(pid)
 
 
@@ -127,9 +134,12 @@ def after_a_flight(monkeypatch, folder, spin):
     flight = object.__new__(fly.Flight)
     flight._run_dir, flight._headless, flight._on_line = folder, True, False
     flight._roster = SimpleNamespace(diagram=SimpleNamespace(externals=()))
-    flight._supervisor = SimpleNamespace(pids={'a': 1, 'link_forward': 2}, codes={'a': 0},
-                                         ended=False, failures=dict,
-                                         end_if_left=lambda names: None)
+    flight._supervisor = supervisor = SimpleNamespace(
+        pids={'a': 1, 'link_forward': 2}, codes={'a': 0}, ended=False, failures=dict,
+        end_if_left=lambda names: None, let_go_on=list, pulse=SimpleNamespace(flown=3),
+        left=lambda: {n: p for n, p in supervisor.pids.items() if n not in supervisor.codes})
+    flight._run = SimpleNamespace(pace='lockstep', step_s=0.5)
+    flight._vigil = SimpleNamespace(look=list, waits=False)
     flight._watch = SimpleNamespace(spin=spin, new_events=list, steps=1)
     return flight
 
@@ -139,6 +149,20 @@ def test_a_node_that_hangs_after_the_flight_does_not_take_the_verdict_with_it(
     """The supervisor is played here: hanging in the middleware cannot be had on demand."""
     after_a_flight(monkeypatch, tmp_path, lambda s: time.sleep(0.01))._wait_for_the_nodes()
     assert 'link_forward did not end after the flight' in capsys.readouterr().err
+
+
+def test_only_who_is_alive_did_not_end(monkeypatch, tmp_path, capsys):
+    """A bring-up that is stopped tells of no end, and its dead are not buried."""
+    dead = subprocess.Popen(['true'])
+    os.waitid(os.P_PID, dead.pid, os.WEXITED | os.WNOWAIT)      # a zombie from now on
+    flight = after_a_flight(monkeypatch, tmp_path, lambda s: time.sleep(0.01))
+    supervisor = object.__new__(Supervisor)
+    supervisor.pids, supervisor.codes = {'a': dead.pid, 'link_forward': os.getpid()}, {}
+    monkeypatch.setattr(supervisor, 'poll', lambda: None, raising=False)
+    flight._supervisor.left = supervisor.left
+    flight._wait_for_the_nodes()
+    assert 'rvd fly: link_forward did not end' in capsys.readouterr().err
+    dead.wait()
 
 
 def test_a_recorder_that_still_writes_is_waited_for(monkeypatch, tmp_path, capsys):
@@ -157,23 +181,22 @@ def test_a_recorder_that_still_writes_is_waited_for(monkeypatch, tmp_path, capsy
 
 @pytest.mark.parametrize('does, given_up_s', [('time.sleep(60)', 0.6), ('while True:\n    pass', 2.5)])
 def test_a_process_that_computes_is_given_longer_than_one_that_hangs(
-        does, given_up_s, monkeypatch, tmp_path):
+        does, given_up_s, monkeypatch):
     """A first use compiles for longer than a step may take, with other programs about."""
-    monkeypatch.setattr(fly, 'STALL_S', 0.6)
-    monkeypatch.setattr(fly, 'WORK_S', 2.5)
+    for name, seconds in (('STALL_S', 0.6), ('WORK_S', 2.5), ('SILENT_S', 0.4), ('LOOK_S', 0.05)):
+        monkeypatch.setattr(vigil, name, seconds)
     process = subprocess.Popen([sys.executable, '-c', f'import time\nprint(flush=True)\n{does}'],
                                stdout=subprocess.PIPE)
     process.stdout.readline()
     try:
-        flight, begun = after_a_flight(monkeypatch, tmp_path, None), time.monotonic()
-        flight._run, flight._spent = SimpleNamespace(pace='lockstep'), (begun, 0.0, False)
-        flight._roster.processes = (SimpleNamespace(name='onboard', nodes=('law',)),)
-        flight._roster.blocks = {'law': None}
-        flight._supervisor.pids = {'onboard': process.pid}
-        flight._watch = SimpleNamespace(steps=1, paused=False, verdict=None, progress_at=begun)
-        while not flight._stalled(time.monotonic()):
+        page, begun = Pulse(), time.monotonic()
+        page.beat(0, time.monotonic_ns())
+        watched = vigil.Vigil((Process('law', '', '', ('law',), False),), page,
+                              lambda: {'law': process.pid})
+        while not watched.given_up():
             assert time.monotonic() < begun + 10.0
             time.sleep(0.05)
+            watched.look()
         assert time.monotonic() - begun == pytest.approx(given_up_s, abs=0.9)
     finally:
         process.kill()
@@ -189,7 +212,8 @@ def test_a_node_that_fails_when_the_bag_has_the_verdict_takes_nothing_with_it(
     flight._run_dir = tmp_path
     flight._roster = SimpleNamespace(diagram=SimpleNamespace(externals=()))
     flight._supervisor = SimpleNamespace(pids={'world': 1}, codes={'world': 1}, ended=True,
-                                         failures=lambda: {'world': 1})
+                                         failures=lambda: {'world': 1}, left=dict)
+    flight._vigil = SimpleNamespace(look=list)
     flight._watch = SimpleNamespace(spin=lambda s: None, new_events=list, steps=0, verdict=None,
                                     strangers=[])
     monkeypatch.setattr(flight, '_outcome', lambda: (SimpleNamespace(final=final), {}))

@@ -38,11 +38,14 @@ def test_verdict_has_every_field_and_links_that_balance(flight, rough_flight):
     for flown in (flight, rough_flight):
         verdict = verdict_of(flown.run)
         assert list(verdict) == ['success', 'reason', 'mission', 'scenario', 'mode', 'operator',
-                                 'seed', 'run', 'duration_s', 'measures', 'link', 'trusted',
-                                 'doubts', 'bag_agrees', 'bag_says']
+                                 'seed', 'run', 'duration_s', 'measures', 'link', 'recording',
+                                 'trusted', 'doubts', 'bag_agrees', 'bag_says']
         assert verdict['trusted'] and verdict['bag_agrees'] is True and verdict['doubts'] == []
         assert list(verdict['measures']) == list(
             fly(scenario_of(flown.run), [verdict['run']]).verdict.values)
+        steps = round(verdict['duration_s']/0.5) + 1
+        assert verdict['recording']['complete'] and not verdict['recording']['missing']
+        assert abs(verdict['recording']['steps_flown'] - steps) <= 1    # it ends between two
         for measure in verdict['measures'].values():
             assert list(measure) == ['value', 'unit', 'limit', 'ok']
         assert verdict['success'] == all(m['ok'] for m in verdict['measures'].values())

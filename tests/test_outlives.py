@@ -16,7 +16,8 @@ import pytest
 from runs import in_flight
 
 ROOT = Path(__file__).resolve().parents[1]
-GONE_S = 20.0                   # [s] the bring-up gives its processes 13 s before it kills them
+GONE_S = 20.0                   # [s] the bring-up gives its processes 13 s before it kills them,
+KILLED_S = 5.0                  # [s] and 4 where nobody waits for it any more
 MARK = 'RVD_TEST_MARK'
 
 
@@ -92,7 +93,7 @@ def test_a_signal_at_any_moment_leaves_no_process(tmp_path, number):
         def end(flight):
             time.sleep(max(0.0, begun + due.pop(0) - time.monotonic()))
             flight.send_signal(number)
-        ends(flights, end)
+        ends(flights, end, KILLED_S if number == signal.SIGKILL else GONE_S)
 
 
 def children_named(word: str, mark: str) -> list[int]:
@@ -128,6 +129,24 @@ def test_both_supervisors_killed_at_once_leave_no_node(tmp_path):
         for pid in above:
             os.kill(pid, signal.SIGKILL)
     ends({mark: flight}, end, patience_s=3.0)
+
+
+@pytest.mark.slow
+@pytest.mark.patient
+def test_a_bring_up_that_is_stopped_does_not_keep_a_run_whose_command_was_killed(tmp_path):
+    """The nodes see that the command has gone, and let the bring-up go on."""
+    mark = uuid.uuid4().hex
+    flight = start(tmp_path / 'run', mark, '--pace', '1')
+    try:
+        in_flight(tmp_path / 'run', 2)
+        os.kill(children_named('scripts/bringup.sh', mark)[0], signal.SIGSTOP)
+        os.kill(flight.pid, signal.SIGKILL)
+        assert not (left := left_after(KILLED_S, mark)), left
+    finally:
+        for pid in marked(mark):
+            os.kill(pid, signal.SIGKILL)
+        flight.wait()
+        flight.stderr.close()
 
 
 @pytest.mark.slow

@@ -1,16 +1,19 @@
 """The name of a run folder: of two commands that want it at the same moment one gets it."""
 
 from concurrent.futures import ThreadPoolExecutor
+import multiprocessing
 import threading
 
+import numpy as np
 import pytest
 
 from rvd_campaign import catalogue
-from rvd_campaign.exits import CannotRun
+from rvd_campaign.exits import CannotRun, EXIT_CANNOT
 from rvd_campaign.flight import fly
 from rvd_dynamics.diagram.scenario import load
 
 AT_ONCE = 24
+TRIES = 100
 
 
 @pytest.fixture
@@ -57,6 +60,28 @@ def test_a_folder_that_many_name_is_taken_by_one_of_them(here, exists):
     assert len(made) == 1 and len(refused) == AT_ONCE - 1
     assert all('--out mine' in str(error) for error in refused)
     assert (here / 'mine' / 'scenario.yaml').read_text() == scenario.dump()
+
+
+def test_of_two_processes_one_gets_the_folder_in_every_of_many_tries(here):
+    fork, scenario = multiprocessing.get_context('fork'), load(
+        catalogue.find('scenarios', 'paper', ('.yaml',)))
+    gate, codes = fork.Barrier(2), fork.Array('i', 2*TRIES)
+
+    def begin(which):
+        for i in range(TRIES):
+            gate.wait()
+            try:
+                fly.keep_scenario(fly.new_folder(f'mine{i}', 'paper'), scenario)
+            except CannotRun:
+                codes[2*i + which] = EXIT_CANNOT
+    both = [fork.Process(target=begin, args=(which,)) for which in range(2)]
+    for process in both:
+        process.start()
+    for process in both:
+        process.join()
+        assert process.exitcode == 0
+    pairs = np.reshape(codes[:], (TRIES, 2))
+    assert (pairs.sum(axis=1) == EXIT_CANNOT).all() and len({*map(tuple, pairs)}) <= 2
 
 
 @pytest.mark.parametrize('plant', [lambda p: p.write_text(''), lambda p: p.symlink_to('/nowhere'),

@@ -2,18 +2,24 @@
 A node does not outlive what has started it, and does not stay when it has ended.
 
 A child that nobody waits for any more would fly on, for hours. The kernel tells it: Linux sends
-a process the signal of its choice when its parent dies (`prctl(2)`, PR_SET_PDEATHSIG).
+a process the signal of its choice when its parent dies (`prctl(2)`, PR_SET_PDEATHSIG). A parent
+that is itself stopped does not act on that; its children then see that the pipe is cut at whose
+other end the run was started, and let it go on, or end it.
 """
 
 import ctypes
 import faulthandler
 import os
+import select
 import signal
+import stat
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 
 PARENT = 'RVD_PARENT'           # environment: process id of who has started this one
+LINE = 'RVD_LINE'               # environment: descriptor of a pipe from who has started the run
+PATIENCE_S = 3.5                # [s] wall time for the bring-up to end the run after that was cut
 LEAVE_S = 5.0                   # [s] wall time to leave the graph: it takes milliseconds
 WRITE_S = 0.5                   # [s] more, to write where it hangs
 PR_SET_PDEATHSIG = 1
@@ -42,6 +48,52 @@ def hold() -> None:
         if str(os.getppid()) != parent:         # gone before the kernel was asked
             sys.exit(f'{os.path.basename(sys.argv[0])}: process {parent}, which started this one, '
                      'has gone')
+
+
+class _Line:
+    """The pipe from who has started the run; it brings nothing, and ends with that process."""
+
+    def __init__(self) -> None:
+        self._cut_at: float | None = None
+        self._poll = select.poll()
+        self._held = False
+        try:
+            file = int(os.environ.get(LINE, ''))
+            self._held = stat.S_ISFIFO(os.fstat(file).st_mode)
+            self._poll.register(file, 0)        # POLLHUP is told without being asked for
+        except (ValueError, OverflowError, OSError):    # none: a node started by hand
+            pass
+
+    def look(self, now: float) -> None:
+        """End the run by its bring-up if who has started it has gone."""
+        if not self._held or not any(event & select.POLLHUP for _, event in self._poll.poll(0)):
+            return
+        parent = os.getppid()
+        if str(parent) != os.environ.get(PARENT):
+            return                              # it has gone, too: the kernel ends this process
+        self._cut_at = self._cut_at or now
+        late = now - self._cut_at > PATIENCE_S
+        try:                                    # it has been told; a stopped one has not heard it
+            os.kill(parent, signal.SIGKILL if late else signal.SIGCONT)
+        except OSError:
+            pass
+
+
+_line: _Line | None = None
+
+
+def look(now: float) -> None:
+    """
+    See whether whoever has started this run is still there; every node calls it now and then.
+
+    `now` is an instant of `time.monotonic` [s].
+
+    The bring-up gets a signal when `fly` dies, but cannot act on it while it is stopped itself.
+    """
+    global _line
+    if _line is None:
+        _line = _Line()
+    _line.look(now)
 
 
 class _Event(ctypes.Structure):

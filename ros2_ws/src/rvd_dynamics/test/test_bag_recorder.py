@@ -18,6 +18,8 @@ from rosgraph_msgs.msg import Clock
 from sensor_msgs.msg import Joy
 from std_msgs.msg import String, UInt64
 
+from rvd_dynamics import pulse
+from rvd_dynamics.pulse import Pulse
 from rvd_dynamics.recording import mcap_file
 from rvd_dynamics.recording.bag_writer import repair
 from rvd_dynamics.diagram.ros import qos
@@ -43,7 +45,7 @@ def ros(own_domain):
 class Recorder:
     """A recorder process and the topics of a loop that feeds it."""
 
-    def __init__(self, node, run: Path, nodes: str) -> None:
+    def __init__(self, node, run: Path, nodes: str, page: Pulse | None = None) -> None:
         self.node = node
         self.bag = run / 'bag'
         self.sent: dict[str, list[bytes]] = {}
@@ -61,7 +63,9 @@ class Recorder:
                 ('/run/end', UInt64))}
         self.process = subprocess.Popen(
             [*RECORDER, '-p', f'bag_dir:={self.bag}', '-p', f'nodes:={nodes}'],
-            env={**os.environ, 'RVD_LEAN': '1'}, stderr=subprocess.PIPE, text=True)
+            env={**os.environ, 'RVD_LEAN': '1', **({} if page is None else
+                                                   {pulse.PAGE: str(page.file)})},
+            pass_fds=() if page is None else (page.file,), stderr=subprocess.PIPE, text=True)
 
     def _on_recorded(self, message) -> None:
         self.recorded = message.data
@@ -205,6 +209,30 @@ def test_steps_that_never_came_are_counted_in_the_file(ros, tmp_path):
     made.send('/run/end', UInt64(data=10))
     assert made.process.wait(timeout=20) == 0
     assert made.notes('rvd_missing') == {'/onboard/downlink': '5', '/onboard/measurement': '11'}
+
+
+@pytest.mark.parametrize('noted', [True, False])
+def test_a_recorder_that_never_heard_the_end_counts_by_what_the_plant_has_noted(
+        ros, tmp_path, noted):
+    page = Pulse.shared(2)
+    made = Recorder(ros, tmp_path, '[bag_recorder, relative_sensor]', page)
+    made.until(made.matched)
+    for k in (0, 1, 2):
+        made.send('/onboard/downlink', LinkFrame(step=k))
+    made.until(lambda: page.beaten_s(1) is not None)            # it gives signs of life there
+    file = made.bag / 'bag_0.mcap'
+    made.until(lambda: b'downlink' in file.read_bytes() and len(
+        made.stored().get('/onboard/downlink', ())) == 3)
+    if noted:
+        page.flown = page.final = 9
+    made.process.send_signal(signal.SIGTERM)
+    assert made.process.wait(timeout=20) == 0
+    assert made.notes('rvd_missing') == ({'/onboard/downlink': '7', '/onboard/measurement': '10'}
+                                         if noted else
+                                         {'/onboard/downlink': '0', '/onboard/measurement': '0'})
+    assert made.notes('rvd_recording').get('last_step') == ('9' if noted else None)
+    assert page.beaten_s(1) is None             # it has done its work
+    page.handed_on()
 
 
 @pytest.mark.parametrize('argument, complaint', [

@@ -31,8 +31,9 @@ def main(args: argparse.Namespace) -> int:
     """Measure what is asked for, print the table, write the JSON; return the exit code."""
     if args.out:
         check_file('--out', args.out, new=False)
-    # the console's needs a browser, so it is measured only when it is asked for
-    names = [n for n in PARTS if n != 'console'] if args.part == 'all' else [args.part]
+    # only when asked for: the console's needs a browser, and a leak takes a quarter of an hour
+    names = [args.part] if args.part != 'all' else [
+        name for name in PARTS if name not in ('console', 'leak')]
     before = Checkout(Path(args.before)) if args.before else None
     content = {'machine': processes.machine(), 'time': time.strftime('%Y-%m-%dT%H:%M:%SZ',
                                                                      time.gmtime())}
@@ -190,6 +191,24 @@ def _docking_rows(r: dict) -> list[Row]:
     return _goal_rows(r, GOALS)
 
 
+def _leak(quick: bool, _: Checkout | None) -> dict:
+    from rvd_campaign.bench import leak
+    return leak.measure(quick)
+
+
+def _leak_rows(r: dict) -> list[Row]:
+    from rvd_campaign.bench.leak import MAX_BYTES
+    rows = []
+    for sharing, found in r.items():
+        most = max(growth / found['nodes'][name]
+                   for name, growth in found['bytes_per_step'].items())
+        rows.append(Row(f'processes {sharing}, {found["steps"]} steps: most growth, step and node',
+                        f'{most:.1f} B', f'< {MAX_BYTES:g} B', most < MAX_BYTES))
+        rows += [Row(f'  {name}, {found["megabytes"][name]:.0f} MB: a step', f'{growth:.1f} B')
+                 for name, growth in found['bytes_per_step'].items()]
+    return rows
+
+
 def _goal_rows(r: dict, goals: dict) -> list[Row]:
     rows = []
     for name, value in r.items():
@@ -219,5 +238,6 @@ PARTS: dict[str, tuple[Measure, Callable[[dict], list[Row]]]] = {
     'laws': (_laws, _laws_rows),
     'tether': (_tether, _tether_rows),
     'docking': (_docking, _docking_rows),
+    'leak': (_leak, _leak_rows),
     'console': (_console, _console_rows),
 }

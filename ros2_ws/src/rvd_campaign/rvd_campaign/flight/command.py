@@ -5,7 +5,7 @@
 import argparse
 
 from rvd_campaign.exits import CannotRun, EXIT_DONE, EXIT_FAILED
-from rvd_campaign.flight import fly, preflight, reach, verdict
+from rvd_campaign.flight import fly, leftovers, preflight, reach, verdict
 from rvd_campaign.flight.domain import reserved_domain
 from rvd_campaign.interrupts import all_like_ctrl_c
 from rvd_dynamics.bad_input import one_line
@@ -40,6 +40,8 @@ def main(args: argparse.Namespace) -> int:
         run_dir = fly.new_folder(args.out, scenario.name)
         domain.held_for(str(run_dir.absolute()))
         fly.keep_scenario(run_dir, scenario)
+        if removed := leftovers.remove(domain).in_words():
+            print(removed, flush=True)
         print(f'{fly.introduced(scenario)}, ROS_DOMAIN_ID={domain}, {run_dir}', flush=True)
         code = fly.Flight(scenario, run_dir, domain, args.headless).fly()
     if again and code in (EXIT_DONE, EXIT_FAILED):

@@ -17,7 +17,7 @@ import threading
 from pathlib import Path
 from typing import Any
 
-from rvd_campaign.flight import fly
+from rvd_campaign.flight import fly, leftovers
 from rvd_campaign.exits import CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_INTERRUPTED
 from rvd_campaign.flight.domain import reserved_domain
 from rvd_campaign.interrupts import all_like_ctrl_c
@@ -139,6 +139,8 @@ def main(args: argparse.Namespace, scenario: Scenario) -> int:
     all_like_ctrl_c()
     with reserved_domain() as domain, tempfile.TemporaryDirectory(prefix='rvd-') as folder:
         domain.held_for(f'the console of {runs.absolute()}')
+        if removed := leftovers.remove(domain).in_words():
+            print(removed, flush=True)
         page = ConsoleProcess(args, runs, Path(folder), domain, scenario)
         os.environ['RVD_CONSOLE'] = str(page.socket)
         try:

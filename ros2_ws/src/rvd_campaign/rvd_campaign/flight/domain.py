@@ -70,6 +70,32 @@ def reserved_domain() -> Iterator[Domain]:
         os.close(domain.file)
 
 
+def domain_of_port(port: int) -> int:
+    """Return the domain id to which a port belongs; it need not be a possible one."""
+    return (port - FIRST_PORT) // PORTS
+
+
+@contextmanager
+def nobody_in(number: int, own: Domain) -> Iterator[bool]:
+    """
+    Say whether nobody on this machine is in a domain; meanwhile no run of this user comes there.
+
+    In the `own` one, which is held, none of ours is yet.
+    """
+    domain = None
+    if 0 <= number <= LARGEST_DOMAIN and number not in _busy():
+        if number == own:
+            yield True
+            return
+        with suppress(CannotRun):
+            domain = _locked(_folder(), number)
+    try:
+        yield domain is not None
+    finally:
+        if domain is not None:
+            os.close(domain.file)
+
+
 def asked_for() -> int | None:
     """Return the user's own `ROS_DOMAIN_ID`, None if there is none; CannotRun if it is wrong."""
     given = os.environ.get('ROS_DOMAIN_ID', '')
@@ -145,4 +171,4 @@ def _busy() -> set[int]:
     except OSError:
         return set()
     ports = [int(line.split()[1].rpartition(':')[2], 16) for line in lines]
-    return {(port - FIRST_PORT) // PORTS for port in ports}
+    return {domain_of_port(port) for port in ports}

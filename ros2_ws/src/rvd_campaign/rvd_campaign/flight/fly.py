@@ -15,8 +15,7 @@ from pathlib import Path
 from typing import Any, Callable
 
 from rvd_campaign import catalogue
-from rvd_campaign.cpu import cpu_s
-from rvd_campaign.flight import verdict
+from rvd_campaign.flight import kept, verdict
 from rvd_dynamics.bad_input import one_line
 from rvd_dynamics.recording import drawing, reader
 from rvd_campaign.exits import (
@@ -26,15 +25,13 @@ from rvd_dynamics.diagram.roster import listed
 from rvd_dynamics.diagram.scenario import load, Scenario
 from rvd_campaign.interrupts import uninterrupted
 from rvd_campaign.flight.supervisor import Supervisor
+from rvd_campaign.flight.vigil import STALL_S, Vigil
 from rvd_campaign.report.attempt import attempt
 from rvd_groundstation.operators.tape import read_tape, TOPIC
 
 # [s] wall time for the graph to come up; in real time it compiles before it starts, where it must
 START_S = {'lockstep': 60.0, 'realtime': 180.0}
 END_S = 15.0                    # [s] wall time for the nodes to end after the verdict
-STALL_S = 10.0                  # [s] wall time without a step before the run is given up,
-WORK_S = 120.0                  # [s] and where a process computes meanwhile: a first use compiles
-BUSY = 0.1                      # share of a core that is more than waiting
 USUAL_PACE = '10'               # of a scenario that names none
 SHOW_S = 0.2                    # [s] wall time between two looks
 STOPPED_S = 5.0                 # [s] wall time without a look: this process did not run
@@ -201,8 +198,10 @@ class Flight:
         except BaseException:                       # Ctrl-C, too
             self._supervisor.stop()
             raise
+        self._vigil = Vigil(
+            self._roster.processes, self._supervisor.pulse, self._supervisor.left,
+            [name for name, e in self._roster.externals.items() if e.foreign or e.viewer])
         self._shown_at, self._shown = 0.0, ''
-        self._spent = time.monotonic(), 0.0, False      # when, CPU time of the ring, whether busy
         self._on_line = False
 
     def fly(self) -> int:
@@ -226,10 +225,11 @@ class Flight:
             return EXIT_FAULT if self._fault else EXIT_CANNOT
         last, links = self._outcome()
         judged = verdict.outcome(last, interrupted)
+        held = self._kept(last)
         from rvd_campaign.flight import second_opinion          # imports ROS, by now loaded
         doubts, trust = second_opinion.asked(
             self._run_dir, self._scenario, None if interrupted else last, self._watch.strangers)
-        content = verdict.as_dict(judged, links, self._scenario) | trust
+        content = verdict.as_dict(judged, links, self._scenario, held) | trust
         verdict.write(self._run_dir / 'verdict.json', content)
         if doubts:
             self.problem = f'not to be trusted: {"; ".join(doubts)}'
@@ -240,7 +240,10 @@ class Flight:
             return EXIT_INTERRUPTED
         from rvd_campaign.report.run import write_report        # takes a while, loaded meanwhile
         attempt(write_report, self._run_dir, self._run_dir / 'logs' / 'report.log')
-        if doubts:
+        incomplete = held is not None and not held.complete
+        if incomplete:
+            print(f'rvd fly: {held.in_words()}', file=sys.stderr)
+        if doubts or incomplete:
             return EXIT_CANNOT
         return EXIT_DONE if judged.success else EXIT_FAILED
 
@@ -287,6 +290,8 @@ class Flight:
                                  - {e.name for e in foreign})
                 return (f'the graph did not come up in {start_s:g} s: not ready: '
                         f'{", ".join(waiting) or self._roster.diagram.plant}')
+            if lost := self._vigil.given_up():
+                return self._vigil.in_words(lost, self._owed_by({s.name for s in lost}))
             if self._stalled(now):
                 return f'no step for {STALL_S:g} s of wall time: {self._owing()}'
 
@@ -309,6 +314,8 @@ class Flight:
         begun = time.monotonic()
         self._watch.spin(seconds)
         self._show()
+        for sentence in self._vigil.look():
+            self._say(sentence)
         stopped_s = time.monotonic() - begun
         if stopped_s < STOPPED_S:
             return 0.0
@@ -317,9 +324,17 @@ class Flight:
         self._watch.progress_at += stopped_s
         return stopped_s
 
-    def _owing(self) -> str:
-        """Say which nodes owe a message, and in which process they are if it is not their own."""
+    def _owed_by(self, processes: set[str]) -> str:
+        """Say in lock step which nodes of silent processes owe a message; empty if none does."""
+        if self._run.pace != 'lockstep' or not self._watch.steps:
+            return ''
         owing = self._watch.who_owes()
+        silent = owing and {self._roster.process_of.get(name, name) for name in owing} <= processes
+        return f'{self._owing(owing)}; ' if silent else ''
+
+    def _owing(self, owing: list[str] | None = None) -> str:
+        """Say which nodes owe a message, and in which process they are if it is not their own."""
+        owing = self._watch.who_owes() if owing is None else owing
         homes = dict.fromkeys(self._roster.process_of.get(name, name) for name in owing)
         shared = '' if list(homes) == owing else f' (process {", ".join(homes)})'
         verb = 'owe' if len(owing) > 1 else 'owes'
@@ -364,10 +379,12 @@ class Flight:
         foreign = {e.name for e in self._roster.diagram.externals if e.foreign}
         while not self._supervisor.ended and time.monotonic() < deadline:
             self._supervisor.end_if_left(foreign)
+            for name in self._supervisor.let_go_on():
+                self._say(f'{name} was stopped; the run is over, and it is let go on')
             deadline += self._look(SHOW_S)
             if self._written() != written:
                 deadline, written = time.monotonic() + END_S, self._written()
-        late = sorted(set(self._supervisor.pids) - set(self._supervisor.codes))
+        late = sorted(self._supervisor.left())
         if late:
             self._end_line()
             print(f'rvd fly: {", ".join(late)} did not end after the flight and is ended now',
@@ -390,24 +407,7 @@ class Flight:
         patience = STALL_S
         if run.pace == 'realtime':
             patience = max(patience, 4.0 * run.step_s / run.pace_factor)
-        silent = now - watch.progress_at
-        if silent < 0.5*patience:
-            self._spent = now, self._cpu_s(), False
-        return silent > patience and (silent > WORK_S or not self._computes(now, 0.4*patience))
-
-    def _computes(self, now: float, lately: float) -> bool:
-        """Say whether the processes of the ring have done more than wait, within `lately` [s]."""
-        since, before, _ = self._spent
-        if now - since > lately:
-            spent = self._cpu_s()
-            self._spent = now, spent, spent - before > BUSY*(now - since)
-        return self._spent[2]
-
-    def _cpu_s(self) -> float:
-        pids = self._supervisor.pids
-        return sum(cpu_s(pids[process.name]) for process in self._roster.processes
-                   if process.name in pids and not self._roster.blocks.keys().isdisjoint(
-                       process.nodes))
+        return now - watch.progress_at > patience and not self._vigil.waits
 
     def _why(self, failures: dict[str, int]) -> str:
         parts = {}
@@ -420,7 +420,20 @@ class Flight:
             parts[name] = f'{name} {how}' + (f': {words}' if words else '')
         return '; '.join(parts.values())
 
+    def _kept(self, judged: Any) -> kept.Kept | None:
+        """Return what the bag holds of a run that came to its end; None of another."""
+        if not self._is_final(judged):
+            return None
+        last = max(judged.step, self._supervisor.pulse.final)
+        return kept.kept(self._run_dir, self._roster.owed, self._roster.diagram.truth.name, last)
+
     # -- what is shown --------------------------------------------------------------------
+
+    def _say(self, sentence: str) -> None:
+        """Say what has happened to the processes of the run."""
+        self._end_line()
+        step = max(self._supervisor.pulse.flown, 0)
+        print(f'  {step * self._run.step_s:.1f} s {sentence}', flush=True)
 
     def _show(self) -> None:
         for event in self._watch.new_events():

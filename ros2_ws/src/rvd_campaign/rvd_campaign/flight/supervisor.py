@@ -9,10 +9,13 @@ import subprocess
 import threading
 from pathlib import Path
 
-from rvd_dynamics import lifeline, verdict_line
+from rvd_campaign.cpu import is_alive, STOPPED, usage
+from rvd_dynamics import lifeline, pulse, verdict_line
 from rvd_dynamics.bad_input import one_line
 from rvd_dynamics.diagram.roster import lines, Roster
+from rvd_dynamics.pulse import Pulse
 
+BRINGUP = 'the bring-up'
 STOP_S = 15.0                   # [s] wall time the bring-up gets to end all; it asks for 13
 
 
@@ -21,7 +24,13 @@ class Supervisor:
     The bring-up as a child process in a session of its own.
 
     A Ctrl-C at the terminal reaches the caller alone, which then lets the bring-up end the nodes
-    in order. If the caller is killed, the kernel tells the bring-up to.
+    in order. If the caller is killed, the kernel tells the bring-up to, and the nodes see it by a
+    pipe that nobody writes to.
+
+    Attributes
+    ----------
+    pulse : Pulse
+        The page on which every process of the run gives its signs of life.
     """
 
     def __init__(self, bringup: Path, scenario: Path, run_dir: Path, headless: bool,
@@ -32,16 +41,22 @@ class Supervisor:
         self.codes: dict[str, int] = {}
         self._ended_by_us: set[str] = set()
         self._verdict_line = verdict_line.VerdictLine()
+        self.pulse = Pulse.shared(len(roster.processes))
+        line, self._line = os.pipe()            # ours alone: it is cut when this process ends
         command = [str(bringup), str(scenario), str(run_dir)] + ['--headless'] * headless
         self._process = subprocess.Popen(
             command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-            text=True, start_new_session=True, pass_fds=(self._verdict_line.writes,),
-            preexec_fn=lambda: lifeline.die_with_parent(signal.SIGTERM), env={
+            text=True, start_new_session=True,
+            preexec_fn=lambda: lifeline.die_with_parent(signal.SIGUSR1),
+            pass_fds=(line, self.pulse.file, self._verdict_line.writes), env={
                 **os.environ, 'ROS_DOMAIN_ID': str(domain),
+                lifeline.LINE: str(line), pulse.PAGE: str(self.pulse.file),
                 'ROS_LOG_DIR': str(run_dir.resolve() / 'logs'),
                 verdict_line.VARIABLE: str(self._verdict_line.writes),
                 'RVD_PROCESSES': '\n'.join(lines(roster, str(run_dir.resolve()), run_id))})
         self._verdict_line.handed_over()
+        os.close(line)
+        self.pulse.handed_on()
         self._lines: queue.Queue[str] = queue.Queue()
         self._reader = threading.Thread(target=self._read, daemon=True)
         self._reader.start()
@@ -94,6 +109,20 @@ class Supervisor:
         """Return what the judge's own process has told: the final verdict, second writers."""
         return self._verdict_line.heard()
 
+    def left(self) -> dict[str, int]:
+        """Return the processes that are still there, by name, with their ids."""
+        self.poll()
+        return {name: pid for name, pid in self.pids.items()
+                if name not in self.codes and is_alive(pid)}
+
+    def let_go_on(self) -> list[str]:
+        """Let processes go on that somebody has stopped, the bring-up too; return their names."""
+        stopped = {name: pid for name, pid in {**self.left(), BRINGUP: self._process.pid}.items()
+                   if usage(pid).state in STOPPED}
+        for pid in stopped.values():
+            _signal(pid, signal.SIGCONT)
+        return list(stopped)
+
     def complaint(self) -> str:
         """Return what the bring-up itself wrote to stderr."""
         return '\n'.join(map(one_line, self._process.stderr.read().strip().splitlines()))
@@ -123,6 +152,9 @@ class Supervisor:
         self._reader.join(1.0)
         self._verdict_line.close()
         self.poll()
+        if self._line >= 0:
+            os.close(self._line)
+            self._line = -1
 
 
 def _signal(pid: int, number: int) -> None:

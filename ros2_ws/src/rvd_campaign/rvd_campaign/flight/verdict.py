@@ -7,6 +7,7 @@ import math
 from pathlib import Path
 from typing import Any
 
+from rvd_campaign.flight.kept import Kept
 from rvd_dynamics.bad_input import one_line
 from rvd_dynamics.diagram import judge
 from rvd_dynamics.diagram.judge import from_message, Judgement
@@ -37,7 +38,8 @@ def outcome(verdict: Any, interrupted: bool = False) -> Judgement:
     return judged._replace(reason=INTERRUPTED, words=INTERRUPTED) if interrupted else judged
 
 
-def as_dict(judged: Judgement, links: dict[str, Any], scenario: Scenario) -> dict[str, Any]:
+def as_dict(judged: Judgement, links: dict[str, Any], scenario: Scenario,
+            kept: Kept | None = None) -> dict[str, Any]:
     """
     Return the content of `verdict.json`.
 
@@ -49,6 +51,9 @@ def as_dict(judged: Judgement, links: dict[str, Any], scenario: Scenario) -> dic
         The last LinkStatus of each leg by its name; one that never came is None.
     scenario : Scenario
         Where the mission has no modes and no operator, these are None.
+    kept : Kept, optional
+        What the bag holds of a run that came to its end. Where steps are missing from it, the
+        counts of a link that are not of the last step are unknown.
     """
     said = judge.as_dict(judged)
     operation = scenario.part('operation') if scenario.has_shared('operator') else None
@@ -58,7 +63,9 @@ def as_dict(judged: Judgement, links: dict[str, Any], scenario: Scenario) -> dic
         'operator': getattr(operation, 'operator', None), 'seed': scenario.run.seed,
         'run': scenario.run.run, 'duration_s': said['duration_s'],
         'measures': said['measures'],
-        'link': {name: link_dict(status) for name, status in links.items()}})
+        'link': {name: link_dict(status, None if kept is None or kept.complete else
+                                 kept.flown - 1) for name, status in links.items()},
+        **({} if kept is None else {'recording': kept.as_dict()})})
 
 
 def trust(doubts: list[str], bag_agrees: bool | None, why: str) -> dict[str, Any]:
@@ -79,8 +86,10 @@ def trust(doubts: list[str], bag_agrees: bool | None, why: str) -> dict[str, Any
     return {'success': False, 'reason': UNTRUSTED, **made} if doubts else made
 
 
-def link_dict(status: Any) -> dict[str, Any]:
-    """Return the counts and delays of one LinkStatus."""
+def link_dict(status: Any, last_step: int | None = None) -> dict[str, Any]:
+    """Return the counts and delays of one LinkStatus; unknown if it is not of `last_step`."""
+    if last_step is not None and getattr(status, 'step', None) != last_step:
+        return dict.fromkeys((*LINK_COUNTS, *(f'{name}_s' for name in LINK_DELAYS)))
     if status is None:
         return {}
     made = {name: getattr(status, name) for name in LINK_COUNTS}

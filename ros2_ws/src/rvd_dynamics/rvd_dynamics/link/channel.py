@@ -9,17 +9,14 @@ Damage is a burst of at most 32 flipped bits or a truncation. CRC-32 detects eve
 when bits are numbered from the least significant one of each byte, as here.
 """
 
-from bisect import insort
 from collections import deque
 from dataclasses import dataclass, fields
 from heapq import heappop, heappush
 
-from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.link.plan import LinkPlan
 from rvd_dynamics.link.play_out import Frame, Outcome, PlayOut
+from rvd_dynamics.link.transits import Transits
 from rvd_dynamics.diagram.params import require
-
-NAN = float('nan')
 
 
 @dataclass
@@ -74,7 +71,7 @@ class Channel:
         self._buffer = PlayOut(hold_steps, step_ns)
         self._expedited: deque[Frame] = deque()
         self._newest_ns = -1                            # latest sending instant that arrived
-        self._transits: list[int] = []                  # [ns] of all arrivals, sorted
+        self._transits = Transits(plan.transit_ns)      # of all arrivals
         self._next_step: int | None = None
 
     def advance(self, step: int, frame: Frame | None) -> Frame | None:
@@ -104,10 +101,7 @@ class Channel:
 
     def delay_s(self, percent: int) -> float:
         """Return a percentile (nearest rank) of the transits so far [s]; 100 is the largest."""
-        if not self._transits:
-            return NAN
-        rank = -(-percent * len(self._transits) // 100)
-        return self._transits[max(rank, 1) - 1] / NS_PER_S
+        return self._transits.percentile_s(percent)
 
     def _send(self, step: int, frame: Frame) -> None:
         copies = 1 + self._duplicated[step]
@@ -129,7 +123,7 @@ class Channel:
             self.counts.corrupted += 1
         self.counts.reordered += frame.sent_ns < self._newest_ns
         self._newest_ns = max(self._newest_ns, frame.sent_ns)
-        insort(self._transits, arrival_ns - frame.sent_ns)
+        self._transits.add(step, copy)
 
         arrived = frame._replace(payload=payload, arrived_ns=arrival_ns)
         if frame.expedited:

@@ -169,14 +169,16 @@ class BagWriter:
         except OSError as error:
             self._failed(error)
 
-    def close(self, notes: dict[str, dict[str, str]] | None = None) -> None:
+    def close(self, notes: dict[str, dict[str, str]] | None = None, **said: str) -> None:
         """
         Finish the bag: write `notes` and the losses as metadata records, then the index.
+
+        What is `said` goes into the record `rvd_recording`.
 
         What no longer fits on the disk is left out; what was stored stays readable.
         """
         notes = {**(notes or {}), NOTE_LOST: {t: str(n) for t, n in self.lost.items()},
-                 NOTE_RECORDING: {'closed': 'true', 'trouble': self.trouble}}
+                 NOTE_RECORDING: {'closed': 'true', 'trouble': self.trouble, **said}}
         try:
             self._file.append(*(Metadata(name=n, metadata=v) for n, v in notes.items()))
             self._file.finish()

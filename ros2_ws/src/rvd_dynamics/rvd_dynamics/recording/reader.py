@@ -48,6 +48,8 @@ def read(path: Path) -> Recording:
         (int(s.max()) for s in steps.values() if len(s)), default=-1)
     lost = {topic: int(n) for topic, n in bag.notes.get('rvd_lost', {}).items()}
     notes = bag.notes.get('rvd_recording', {})
+    noted_step = notes.get('last_step', '')     # which the recorder knows, and has not heard
+    flown = max(last_step, int(noted_step) if noted_step.isdecimal() else -1)
     return Recording(
         path=path, scenario_text=text, scenario=scenario, scenario_trouble=trouble,
         series=_Decoded(bag), kinds=bag.kinds,
@@ -58,7 +60,7 @@ def read(path: Path) -> Recording:
         last_step=last_step, ended=bool(ends), complete=bag.complete,
         closed=bag.complete and notes.get('closed') != 'false',
         trouble=notes.get('trouble', ''), counts=bag.counts,
-        missing={topic: _missing(steps[topic], period, last_step)
+        missing={topic: _missing(steps[topic], period, flown)
                  for topic, period in owed.items()} if scenario is not None else
         {topic: int(n) + lost.get(topic, 0) for topic, n in (noted or {}).items()},
         lost=lost)

@@ -79,7 +79,7 @@ class Recording:
     closed: bool                                # the recorder closed it, too
     trouble: str                                # what went wrong for the recorder first
     counts: dict[str, int]                      # topic -> messages in the bag
-    missing: dict[str, int]                     # topic -> firings up to last_step not in the bag
+    missing: dict[str, int]                     # topic -> firings of the run not in the bag
     lost: dict[str, int] = field(default_factory=dict)  # topic -> received, but not stored
 
     def of(self, signal: Signal | str) -> Any:

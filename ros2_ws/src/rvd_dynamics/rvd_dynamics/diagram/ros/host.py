@@ -9,6 +9,7 @@ that `/run/end` names is over.
 
 from collections import defaultdict
 from collections.abc import Callable
+import gc
 import importlib
 import os
 import re
@@ -26,21 +27,25 @@ from std_msgs.msg import String, UInt64
 
 from rvd_dynamics import lifeline
 from rvd_dynamics.bad_input import BadInput
+from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.diagram import identity
 from rvd_dynamics.diagram.ros.arguments import Arguments
 from rvd_dynamics.diagram.ros.conversions import header_at
 from rvd_dynamics.diagram.ros.ending import Ending
 from rvd_dynamics.diagram.ros.node import RunNode
 from rvd_dynamics.diagram.roster import COMMON, RECORDER, Roster
+from rvd_dynamics.pulse import BEAT_S, Pulse
 from rvd_interfaces.msg import RunEvent
 
 ASK_S = 0.1                     # [s] wall time between two looks whether to stop
 BARRIER_PERIOD_S = 0.05         # [s] wall time between two looks at the endpoints
-DIAGNOSTICS_PERIOD_S = 1.0      # [s] wall time
+BEAT_NS = round(BEAT_S * NS_PER_S)      # [ns] wall time
+DIAGNOSTICS_PERIOD_NS = NS_PER_S        # [ns] wall time
 GATHER_S = 0.02                 # [s] wall time for which messages are kept that only watchers read
 HANDFUL = 64                    # [messages] of them that go out at once
 MOMENT_S = 0.3                  # [s] wall time in which local readers get what was written last
 RECORDER_S = 5.0                # [s] wall time that a closing process gives the recorder
+SILENT_NS = 2 * NS_PER_S        # [ns] wall time between two turns that is told
 SLICE_S = 0.05                  # [s] wall time of firing before the executor is looked at again
 UNKNOWN_NODE = '_NODE_NAME_UNKNOWN_'    # of an endpoint that was seen before its node
 
@@ -69,7 +74,8 @@ class Host:
         self._keepers: dict[str, list[Callable]] = defaultdict(list)    # (step, bytes)
         self._unhurried: frozenset[str] = frozenset()
         self._later: list[tuple[Publisher, Any]] = []   # of those topics
-        self._diagnosed = time.monotonic()
+        self._pulse, self._place = Pulse.inherited(), 0
+        self._beat_ns = self._looked_ns = self._diagnosed_ns = time.monotonic_ns()
         self._ended = False
         self._busy = False
         self.begun = False                      # the barrier is behind us
@@ -85,6 +91,12 @@ class Host:
         if not lead:
             return
         self._lead = node
+        homes = [process.name for process in self.roster.processes]
+        home = self.roster.process_of.get(node.get_name())
+        if len(self._pulse) == len(homes) and home in homes:
+            self._place = homes.index(home)
+        else:                                   # started by hand
+            self._pulse = Pulse()
         self._ready = node.writer('/run/ready', String)
         self._events = node.writer('/run/events', RunEvent)
         self._diagnostics = node.writer('/diagnostics', DiagnosticArray)
@@ -195,6 +207,8 @@ class Host:
             node.guarded(node.on_ready)()
         if self.scenario.run.pace == 'lockstep' and len(self.firing) > 1:
             self._gather()                  # its timer would cost a single block more than it saves
+        if not any(list(node.timers) for node in self.nodes.values()):
+            self._lead.create_timer(BEAT_S, lambda: None)   # a turn of the loop, and a beat
 
     # -- while it runs ----------------------------------------------------------------------
 
@@ -205,16 +219,39 @@ class Host:
             header=header_at(step * node.run.step_ns, node.run.frame_id), step=step,
             node=node.get_name(), code=code, text=text))
 
+    def flown(self, step: int, final: bool = False) -> None:
+        """Note how far the run has come: told by the plant, for who may hear nothing any more."""
+        self._pulse.flown = step
+        if final:
+            self._pulse.final = step
+
+    @property
+    def is_flown(self) -> tuple[int, bool]:
+        """The newest step that the plant has noted, -1 if none, and whether it is the last one."""
+        return self._pulse.flown, self._pulse.final >= 0
+
     def diagnose(self) -> None:
         """
-        Publish /diagnostics at most once a second of wall time.
+        Give a sign of life: on the page of the run, and once a second on /diagnostics.
 
-        Called from the work itself, never from a timer: a process that hangs falls silent.
+        Called from the work itself, at each firing and at each turn of the loop, and never from
+        another thread: a process that hangs falls silent.
         """
-        now = time.monotonic()
-        if now - self._diagnosed < DIAGNOSTICS_PERIOD_S:
+        now = time.monotonic_ns()
+        self._pulse.beat(self._place, now)
+        still_ns, self._beat_ns = now - self._beat_ns, now
+        if still_ns > SILENT_NS and self.begun:
+            self._lead.trouble['still'] = (f'stood still for {still_ns / NS_PER_S:.1f} s of wall '
+                                           'time, or computed meanwhile')
+        if now - self._looked_ns < BEAT_NS:
             return
-        self._diagnosed = now
+        self._looked_ns = now
+        lifeline.look(now / NS_PER_S)
+        if now - self._diagnosed_ns >= DIAGNOSTICS_PERIOD_NS and self.begun:
+            self._diagnosed_ns = now
+            self._publish_diagnostics()
+
+    def _publish_diagnostics(self) -> None:
         lead = self._lead
         message = DiagnosticArray(status=[DiagnosticStatus(
             level=DiagnosticStatus.WARN if node.trouble else DiagnosticStatus.OK,
@@ -284,11 +321,13 @@ class Host:
             while not self._ended and not (stopped and stopped()):
                 executor.spin_once(timeout_sec=0.0 if self._busy else
                                    ASK_S if stopped else None)
+                self.diagnose()
                 try:
                     self.work()
                 except Exception as error:      # noqa: B902 - of the block that fired last
                     self.fail(self._lead, error)
         finally:
+            self._pulse.leave(self._place)
             executor.shutdown(timeout_sec=0.0)
         self.raise_error()
 
@@ -361,6 +400,8 @@ def run(make: Callable[[Host], None], arguments: Arguments, argv: list[str]) -> 
         host = Host(arguments)
         make(host)
         listen_for_the_end(host)
+        gc.freeze()                             # what is loaded stays: not to be looked through
+        gc.collect()                            # again, nor what garbage is small against
         host.spin()
     except (KeyboardInterrupt, ExternalShutdownException):
         pass

@@ -1,10 +1,9 @@
 """The true world as a node: the clock, the pacing and the end of a run."""
 
-from array import array
 import time
 from typing import Any
 
-import numpy as np
+from rclpy.serialization import deserialize_message
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import Bool, String, UInt64
 
@@ -16,6 +15,7 @@ from rvd_dynamics.diagram.ros import qos
 from rvd_dynamics.diagram.ros.block_node import BlockNode
 from rvd_dynamics.diagram.ros.boundary import read, Refused
 from rvd_dynamics.diagram.ros.host import Host, SLICE_S
+from rvd_dynamics.diagram.ros.lateness import Lateness
 from rvd_dynamics.diagram.ros.node import LONGEST
 from rvd_dynamics.diagram.ros.wire import Layout
 from rvd_dynamics.diagram.roster import RECORDER, RECORDER_LEAD
@@ -43,7 +43,7 @@ class PlantNode(BlockNode):
         self._started_ns: int | None = None     # wall time
         self._recorded: int | None = None
         self._strangers: set[str] = set()       # runs that came into this one
-        self._late_s = array('d')               # in real time: wall time of steps after their due
+        self._lateness = Lateness()             # in real time: of each step, by the wall clock
         self._waiting_for = set(self.roster.names) - {
             e.name for e in self.roster.externals.values() if e.foreign}
         self._time, self._time_layout = self.writer('/clock', Clock), Layout(Clock)
@@ -75,6 +75,7 @@ class PlantNode(BlockNode):
         except (LookupError, TypeError, AttributeError):
             self._check(k, outputs)
             raise
+        self.host.flown(k, final)
         if final:
             if self.realtime:
                 self.event('PACE', self._pace_kept())
@@ -155,7 +156,7 @@ class PlantNode(BlockNode):
         while (not self._paused and not self.finished and not self._is_over()
                and (late := self._late()) >= 0.0 and time.monotonic() < until
                and (late >= PATIENCE*self._step_s or all(g.there() for g in self._given))):
-            self._late_s.append(late)
+            self._lateness.add(late)
             self.fire()
             self.host.work()                    # what of it is here fires before the next step
         self._ticked = time.monotonic()
@@ -166,11 +167,10 @@ class PlantNode(BlockNode):
 
     def _pace_kept(self) -> str:
         """Say how well real time was kept: commands that were missing, and when steps were made."""
-        if not self._late_s:
+        if not len(self._lateness):
             return f'{self.missing_count} commands missing; no step was due'
-        middle, most, worst = (f'{1e3*late:.1f}' for late in
-                               np.percentile(self._late_s, (50, 99, 100)))
-        return (f'{self.missing_count} commands missing in {len(self._late_s)} steps; steps came '
+        middle, most, worst = (f'{1e3*self._lateness.percentile(p):.1f}' for p in (50, 99, 100))
+        return (f'{self.missing_count} commands missing in {len(self._lateness)} steps; steps came '
                 f'{middle} ms after they were due at the median, {most} ms at the 99th '
                 f'percentile, {worst} ms at most')
 

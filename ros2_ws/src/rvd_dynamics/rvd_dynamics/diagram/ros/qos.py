@@ -20,7 +20,7 @@ def _profile(depth: int, durability: DurabilityPolicy) -> QoSProfile:
 RING = _profile(DEPTH, DurabilityPolicy.TRANSIENT_LOCAL)
 LATCHED = _profile(1, DurabilityPolicy.TRANSIENT_LOCAL)
 EVENTS = _profile(100, DurabilityPolicy.TRANSIENT_LOCAL)
-CLOCK = _profile(10, DurabilityPolicy.VOLATILE)
+CLOCK = _profile(DEPTH, DurabilityPolicy.VOLATILE)      # for a recorder that was stopped
 HELD_STICK = _profile(1, DurabilityPolicy.VOLATILE)     # what a standard joy node offers
 TAKEN_STICK = QoSProfile(       # takes reliable and best-effort drivers; only the newest counts
     depth=1, reliability=ReliabilityPolicy.BEST_EFFORT, durability=DurabilityPolicy.VOLATILE)
@@ -36,9 +36,9 @@ def of(topic: str, held: bool = False) -> QoSProfile:
         return DIAGNOSTICS
     if topic in STICKS and held:
         return HELD_STICK
-    if topic in ('/run/events', '/run/ready'):      # many writers, one queue at the reader
-        return EVENTS
-    if topic in ('/run/recorded_step', '/run/verdict'):
+    if topic in ('/run/events', '/run/ready', '/run/verdict'):  # many writers, one queue at the
+        return EVENTS                                           # reader; or ten a second
+    if topic == '/run/recorded_step':
         return RING
     if topic.startswith('/run/') or topic == '/tf_static':
         return LATCHED

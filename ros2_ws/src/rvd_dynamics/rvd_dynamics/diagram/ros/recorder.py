@@ -66,7 +66,7 @@ class BagRecorder(RunNode):
         self._ledger = StepLedger()
         self._early: list[tuple] | None = []    # kept until the scenario has gone first
         self._pending: list[tuple] = []         # what has come since the last write
-        self._heard = time.monotonic()          # a message that one of the nodes owed
+        self._quiet = 0                         # looks since a message that one of the nodes owed
         self._complete: float | None = None     # since when the last step is here
         self._judged_step = -1
         self._recorded: set[str] = set()
@@ -195,7 +195,7 @@ class BagRecorder(RunNode):
             else:
                 self._begin_with(message, starts)
             if owed:
-                self._heard = time.monotonic()
+                self._quiet = 0
                 self._ledger.saw(topic, step)
                 if self.host.final_step is not None:
                     self.host.ending.goes_on(step)
@@ -258,7 +258,7 @@ class BagRecorder(RunNode):
 
     def on_end(self, final_step: int) -> None:
         """Wait for the last step of every topic, which may still be on its way."""
-        self._heard, self._complete = time.monotonic(), None
+        self._quiet, self._complete = 0, None
         self._clear(final_step)
         if self._draining is None:
             self._draining = self.create_timer(DRAIN_PERIOD_S, self.guarded(self._drain))
@@ -269,7 +269,8 @@ class BagRecorder(RunNode):
         now = time.monotonic()
         if self._complete is None and self._all_here():
             self._complete = now
-        if now - self._heard > SILENCE_S or (
+        self._quiet += 1
+        if self._quiet > SILENCE_S/DRAIN_PERIOD_S or (
                 self._complete is not None and now - self._complete > GRACE_S):
             self.finish()
 
@@ -286,10 +287,24 @@ class BagRecorder(RunNode):
         if self._early:
             self._begin(self._early)
         self.settle()
-        if self.host.final_step is not None:
-            self._ledger.end(self.host.final_step)
+        known = self._known()
+        self._ledger.end(known)
         missing = {topic: str(n) for topic, n in self._ledger.missing.items()}
-        self._bag.close({NOTE_MISSING: missing})
+        unheard = known >= 0 and self.host.final_step is None
+        self._bag.close({NOTE_MISSING: missing}, **({'last_step': str(known)} if unheard else {}))
+
+    def _known(self) -> int:
+        """
+        Return the last step of which every topic owes its message, as far as it is known; or -1.
+
+        A recorder that was stopped has not heard how far the run came: the plant has noted it. In
+        the newest step of a run that was interrupted nodes may not have fired.
+        """
+        if self.host.final_step is not None:
+            return self.host.final_step
+        flown, over = self.host.is_flown
+        behind = flown - 1 > self._ledger.last.get(self._truth, flown)
+        return flown if over else flown - 1 if behind else -1
 
 
 def _adapted(offers: list[QoSProfile]) -> QoSProfile:

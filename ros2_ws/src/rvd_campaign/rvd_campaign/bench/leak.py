@@ -1,0 +1,125 @@
+"""
+How much the memory of each process grows with every step of a long flight over DDS in lock step.
+
+The flight is the lunar approach from far away, so that nothing ends it: model pilot, law, filter
+and link work as ever. What a process has for itself (RssAnon, proc(5)) is noted as the steps go by,
+from when the histories of DDS are full on; the growth per step is the slope of a straight line
+through the notes. Of a leak of 100 bytes per message ten times as many would show.
+
+What may grow is said by the sizes that the run is planned for: random numbers and the fates of
+frames are drawn before it.
+"""
+
+from dataclasses import dataclass, field
+from pathlib import Path
+import tempfile
+import time
+
+import numpy as np
+
+from rvd_campaign import catalogue
+from rvd_campaign.flight.domain import reserved_domain
+from rvd_campaign.flight.supervisor import Supervisor
+from rvd_dynamics.bad_input import BadInput
+from rvd_dynamics.diagram.identity import new_run
+from rvd_dynamics.diagram.ros.qos import DEPTH
+from rvd_dynamics.diagram.roster import listed
+from rvd_dynamics.diagram.scenario import load
+
+STEPS = {'blocks': 20_000, 'segments': 40_000, 'one': 60_000}   # measured; each takes minutes
+QUICK = {'one': 6_000}
+WARM_UP_STEPS = 2*DEPTH         # [steps] after which every history of DDS is full
+MAX_BYTES = 16.0                # [bytes] a step and node: 16 MB in a million steps
+PERIOD_S = 0.5                  # [s] wall time between two notes
+STALL_S = 60.0                  # [s] wall time without a step: it is given up
+SCENARIO = """
+/**:
+  ros__parameters:
+    pace: lockstep
+    processes: {processes}
+    step_s: 0.1
+    timeout_s: {timeout_s}
+    start: {{position_m: [-9000.0, 0.0, 0.0]}}
+"""
+
+
+@dataclass
+class Notes:
+    """Memory of the processes of a run by step."""
+
+    nodes: dict[str, int] = field(default_factory=dict)             # how many, by process
+    steps: list[int] = field(default_factory=list)
+    memory: list[dict[str, int]] = field(default_factory=list)      # [bytes] by process
+
+    def note(self, step: int, pids: dict[str, int]) -> None:
+        """Note what each process has at `step`, after the warm-up."""
+        if step >= WARM_UP_STEPS and (not self.steps or step > self.steps[-1]):
+            self.steps.append(step)
+            self.memory.append({name: anonymous(pid) for name, pid in pids.items()})
+
+    def growth(self) -> dict[str, float]:
+        """Return how much each process has grown with every step [bytes]."""
+        if len(self.steps) < 3:
+            raise BadInput('the flight was too short to say how memory grows')
+        return {name: float(np.polyfit(self.steps, [m.get(name, 0) for m in self.memory], 1)[0])
+                for name in self.memory[-1]}
+
+
+def measure(quick: bool = False, steps: dict[str, int] | None = None) -> dict:
+    """Fly one long flight for each way of sharing processes; return growth and sizes."""
+    found = {}
+    for processes, number in (steps or (QUICK if quick else STEPS)).items():
+        with tempfile.TemporaryDirectory(prefix='rvd-bench-') as folder, \
+                reserved_domain() as domain:
+            notes = fly(processes, number, Path(folder), domain)
+        found[processes] = {
+            'steps': notes.steps[-1] - notes.steps[0],
+            'bytes_per_step': {n: round(g, 2) for n, g in notes.growth().items()},
+            'nodes': notes.nodes,
+            'megabytes': {n: round(m/1e6, 1) for n, m in notes.memory[-1].items()}}
+    return found
+
+
+def fly(processes: str, steps: int, folder: Path, domain: int) -> Notes:
+    """
+    Fly until so many steps have followed the warm-up; return the notes.
+
+    Raises
+    ------
+    ValueError
+        If the flight does not come so far; names what ended it.
+    """
+    last = WARM_UP_STEPS + steps
+    path = folder / 'scenario.yaml'
+    path.write_text(SCENARIO.format(processes=processes, timeout_s=0.1*(last + 1000)))
+    (folder / 'logs').mkdir()
+    roster = listed(load(path), headless=False)
+    supervisor = Supervisor(catalogue.root() / 'scripts' / 'bringup.sh', path, folder, False,
+                            domain, roster, new_run())
+    notes = Notes({process.name: len(process.nodes) for process in roster.processes})
+    moved, newest = time.monotonic(), -1
+    try:
+        while newest < last:
+            time.sleep(PERIOD_S)
+            step = supervisor.pulse.flown
+            if failures := supervisor.failures():
+                raise BadInput('; '.join(f'{name} ended with code {code}: '
+                                         f'{supervisor.last_words(name)}'
+                                         for name, code in failures.items()))
+            if step > newest:
+                moved, newest = time.monotonic(), step
+                notes.note(step, supervisor.left())
+            elif supervisor.ended or time.monotonic() - moved > STALL_S:
+                raise BadInput(f'the flight ended at step {step} of {last}')
+    finally:
+        supervisor.stop()
+    return notes
+
+
+def anonymous(pid: int) -> int:
+    """Return the memory that a process has for itself [bytes]; 0 when it is gone."""
+    try:
+        lines = Path(f'/proc/{pid}/status').read_text(encoding='ascii').splitlines()
+    except OSError:
+        return 0
+    return next((1024*int(line.split()[1]) for line in lines if line.startswith('RssAnon:')), 0)

@@ -1,0 +1,104 @@
+"""
+Signs of life of the processes of a run, on a page of memory that they share.
+
+Whoever starts a run makes the page and hands it on with the environment: it has no name, needs no
+disk and no middleware, and goes with the last process that has it. A process notes the time at
+each turn of its loop and at each firing, so that one that is stopped, hangs or computes falls
+silent. The plant notes how far the run has come; the recorder counts by that what it never heard.
+
+Source  memfd_create(2); CLOCK_MONOTONIC is one clock for all processes of a machine.
+"""
+
+import fcntl
+import mmap
+import os
+
+PAGE = 'RVD_PULSE'              # environment: descriptor of the page
+NAME = 'rvd_pulse'              # of the page in /proc/PID/maps
+BEAT_S = 0.5                    # [s] wall time after which a process that has nothing to do beats
+FLOWN, FINAL, FIRST = 0, 1, 2   # words: newest step, last step, and the first of the processes
+WORD = 8                        # [bytes] int64, which the processor stores in one go
+NO_STEP = -1
+
+
+class Pulse:
+    """
+    The page: what each process has noted, by its place in the list of processes.
+
+    Attributes
+    ----------
+    file : int
+        Descriptor of the page; -1 where no other process can have it.
+    """
+
+    def __init__(self, file: int = -1, places: int = 1) -> None:
+        size = WORD * (FIRST + places)
+        self.file = file
+        self._page = mmap.mmap(file, size)
+        self._words = memoryview(self._page).cast('q')
+        if file < 0:
+            self.flown = self.final = NO_STEP
+
+    @classmethod
+    def shared(cls, places: int) -> 'Pulse':
+        """Make a page for so many processes, which they inherit by its descriptor."""
+        file = os.memfd_create(NAME, os.MFD_CLOEXEC | os.MFD_ALLOW_SEALING)
+        os.ftruncate(file, WORD * (FIRST + places))
+        fcntl.fcntl(file, fcntl.F_ADD_SEALS, fcntl.F_SEAL_SHRINK | fcntl.F_SEAL_GROW)
+        made = cls(file, places)
+        made.flown = made.final = NO_STEP
+        return made
+
+    @classmethod
+    def inherited(cls) -> 'Pulse':
+        """Return the page of this run; without one, as in a node started by hand, one's own."""
+        try:
+            file = int(os.environ.get(PAGE, ''))
+            if f'/memfd:{NAME} ' in os.readlink(f'/proc/self/fd/{file}'):
+                return cls(file, os.fstat(file).st_size // WORD - FIRST)
+        except (ValueError, OSError):
+            pass
+        return cls()
+
+    # -- of a process -----------------------------------------------------------------------
+
+    def beat(self, place: int, now_ns: int) -> None:
+        """Note that a process lives at `now_ns` of `time.monotonic_ns`."""
+        self._words[FIRST + place] = now_ns
+
+    def leave(self, place: int) -> None:
+        """Note that a process has done its work: what it does from now on is nobody's concern."""
+        self._words[FIRST + place] = 0
+
+    def beaten_s(self, place: int) -> float | None:
+        """Return when a process has beaten last [s, time.monotonic]; None before and after."""
+        return self._words[FIRST + place] / 1e9 or None
+
+    # -- of the run -------------------------------------------------------------------------
+
+    @property
+    def flown(self) -> int:
+        """The newest step of the run that is made; -1 before the first."""
+        return self._words[FLOWN]
+
+    @flown.setter
+    def flown(self, step: int) -> None:
+        self._words[FLOWN] = step
+
+    @property
+    def final(self) -> int:
+        """The last step of the run; -1 before it is known."""
+        return self._words[FINAL]
+
+    @final.setter
+    def final(self, step: int) -> None:
+        self._words[FINAL] = step
+
+    def __len__(self) -> int:
+        return len(self._words) - FIRST
+
+    def handed_on(self) -> None:
+        """Close the descriptor, which others have inherited by now; the page stays."""
+        if self.file >= 0:
+            os.close(self.file)
+            self.file = -1

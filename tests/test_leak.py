@@ -1,0 +1,103 @@
+"""A node's memory does not grow with the messages that pass through it: two legs of the link, one of
+which is made to leak 100 bytes a message, so that what is measured is known to show."""
+
+import os
+import subprocess
+import sys
+import time
+
+import pytest
+import rclpy
+from rclpy.context import Context
+from rclpy.executors import SingleThreadedExecutor
+
+from rvd_campaign.bench import leak
+from rvd_campaign.flight.domain import reserved_domain
+from rvd_dynamics.bad_input import BadInput
+from rvd_dynamics.diagram.ros import qos
+from rvd_interfaces.msg import LinkFrame
+
+WARM_UP, MESSAGES = 4500, 9000  # the histories of DDS hold 2,000
+AHEAD = 500                     # of the slower one: less than a reader believes
+LEAST = 40.0                    # [bytes] a message that is a leak, not the noise of malloc
+LEGS = {'link_back': ('/onboard/downlink', '/ground/telemetry'),
+        'link_forward': ('/ground/uplink', '/onboard/command')}
+NODE = """
+import sys
+from rvd_dynamics.diagram.ros import firing, main
+came, kept = firing.FiringNode._came, []
+def leaks(self, *arguments):
+    kept.append(bytes(100))
+    came(self, *arguments)
+if LEAKS:
+    firing.FiringNode._came = leaks
+sys.argv[0] = 'link_emulator'
+main.main()
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.patient
+def test_a_leak_of_a_hundred_bytes_a_message_is_seen_and_there_is_none(tmp_path):
+    scenario = tmp_path / 's.yaml'
+    scenario.write_text(f'/**: {{ros__parameters: {{timeout_s: {0.5*(MESSAGES + 10)}}}}}')
+    with reserved_domain() as domain:
+        context = Context()
+        rclpy.init(context=context, domain_id=domain)
+        node = rclpy.create_node('feeder', context=context)
+        executor = SingleThreadedExecutor(context=context)
+        executor.add_node(node)
+        passed, writers, legs = dict.fromkeys(LEGS, 0), {}, {}
+
+        def count(name):
+            def heard(_):
+                passed[name] += 1
+            return heard
+        for name, (reads, writes) in LEGS.items():
+            writers[name] = node.create_publisher(LinkFrame, reads, qos.of(reads))
+            node.create_subscription(LinkFrame, writes, count(name), qos.of(writes), raw=True)
+            legs[name] = subprocess.Popen(
+                [sys.executable, '-c', NODE.replace('LEAKS', str(name == 'link_forward')),
+                 '--ros-args', '-r', f'__node:={name}', '--params-file', str(scenario),
+                 '-p', f'nodes:=[{name}]'],
+                env={**os.environ, 'ROS_DOMAIN_ID': str(domain), 'RVD_LEAN': '1'})
+        notes = leak.Notes()
+
+        def memory():
+            return {name: leak.anonymous(leg.pid) for name, leg in legs.items()}
+        try:
+            deadline = time.monotonic() + 120.0
+            while not all(writer.get_subscription_count() for writer in writers.values()):
+                assert time.monotonic() < deadline
+                time.sleep(0.05)
+            for k in range(MESSAGES):
+                for writer in writers.values():
+                    writer.publish(LinkFrame(step=k, sequence=k, sent=500_000_000*k, empty=True))
+                while k - min(passed.values()) > AHEAD:
+                    assert time.monotonic() < deadline, passed
+                    executor.spin_once(timeout_sec=0.1)
+                if k >= WARM_UP and k % 300 == 0:
+                    notes.steps.append(k)
+                    notes.memory.append(memory())
+        finally:
+            for leg in legs.values():
+                leg.kill()
+                leg.wait()
+            executor.shutdown()
+            node.destroy_node()
+            context.try_shutdown()
+    grown = notes.growth()
+    assert grown['link_back'] < LEAST < 100.0 < grown['link_forward'], grown
+
+
+def test_growth_is_the_slope_of_each_process_after_the_warm_up(monkeypatch):
+    sizes = {1: 5_000_000, 2: 7_000_000}
+    monkeypatch.setattr(leak, 'anonymous', sizes.get)
+    notes = leak.Notes()
+    with pytest.raises(BadInput, match='too short'):
+        notes.growth()
+    for step in range(0, 10_000, 500):
+        sizes[2] += 100*500
+        notes.note(step, {'a': 1, 'b': 2})
+    assert notes.steps[0] == leak.WARM_UP_STEPS
+    assert notes.growth() == pytest.approx({'a': 0.0, 'b': 100.0}, abs=1e-6)
