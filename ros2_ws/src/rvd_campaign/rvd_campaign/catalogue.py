@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Iterator
 
 from rvd_dynamics.bad_input import BadInput
+from rvd_dynamics.given import MAX_TABLE_BYTES, text_of
 
 
 def root() -> Path:
@@ -76,6 +77,8 @@ def _first_paragraph(doc: str | None) -> str:
 def _first_comment(path: Path) -> str:
     if path.is_dir():
         return 'rosbag2 bag'
-    with path.open(encoding='utf-8') as file:
-        line = file.readline()
+    try:
+        line = text_of(path, 'list entry', MAX_TABLE_BYTES).partition('\n')[0]
+    except BadInput as error:
+        return f'({error})'
     return line.lstrip('# ').strip() if line.startswith('#') else ''

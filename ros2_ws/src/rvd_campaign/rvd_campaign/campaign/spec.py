@@ -34,7 +34,8 @@ from rvd_dynamics.diagram import in_process
 from rvd_dynamics.diagram.build import loaded
 from rvd_dynamics.diagram.mission import Mission
 from rvd_dynamics.diagram.scenario import (
-    flat_keys, load, mapping_of, nearest, parse, Scenario, ScenarioError, SHARED, text_of)
+    flat_keys, load, nearest, parse, Scenario, ScenarioError, SHARED)
+from rvd_dynamics.given import mapping_of, text_of
 
 MAX_CONDITIONS = 1000
 MAX_RUNS = 10_000_000           # of all conditions; a table of 2 GB

@@ -10,6 +10,7 @@ from typing import Any
 from rvd_dynamics.diagram import judge
 from rvd_dynamics.diagram.judge import from_message, Judgement
 from rvd_dynamics.diagram.scenario import Scenario
+from rvd_dynamics.given import object_of
 from rvd_dynamics.link.channel import LINK_COUNTS
 from rvd_dynamics.recording import whole
 
@@ -84,7 +85,7 @@ def write(path: Path, content: dict[str, Any]) -> None:
 
 def read(path: Path) -> dict[str, Any]:
     """Read `verdict.json`."""
-    return json.loads(path.read_text(encoding='utf-8'))
+    return object_of(path, 'verdict')
 
 
 def in_words(judged: Judgement) -> str:

@@ -24,7 +24,7 @@ from typing import Any
 
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.display import MODES
-from rvd_dynamics.diagram.scenario import mapping_of, text_of
+from rvd_dynamics.given import mapping_of, object_of, text_of
 from rvd_dynamics.recording import whole
 
 TLX = ('mental', 'physical', 'temporal', 'performance', 'effort', 'frustration')
@@ -311,7 +311,7 @@ class Desk:
     def _weights(self) -> dict[str, dict[str, int]]:
         """Return the weights of this volunteer by condition, as far as they were asked."""
         file = self._folder / self.pseudonym / WEIGHTS
-        return json.loads(file.read_text(encoding='utf-8')) if file.is_file() else {}
+        return object_of(file, 'table of weights') if file.is_file() else {}
 
     def _write(self, harper: dict, tlx: dict) -> None:
         flight = self._plan[self._at]
