@@ -21,7 +21,7 @@ SOURCES = ('.py', '.c', '.h')
 LOOP = {
     'rvd_dynamics': (
         'bad_input.py', 'commands', 'constants.py', 'diagram', 'frames.py', 'geometry', 'given.py',
-        'link', 'motion', 'onboard', 'world', *(f'recording/{name}.py' for name in (  # what reads a tape
+        'link', 'motion', 'onboard', 'world', *(f'recording/{name}.py' for name in (  # reads tapes
             '__init__', 'limits', 'mcap_records', 'messages', 'params', 'sqlite_file', 'whole'))),
     'rvd_groundstation': (
         'guidance', 'joystick/__init__.py', 'joystick/params.py', 'operators', 'prediction',

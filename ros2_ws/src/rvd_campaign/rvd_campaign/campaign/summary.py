@@ -63,6 +63,34 @@ def finish(campaign: Campaign, folder: Path) -> dict[str, Any]:
     return unknown_as_none(summary)
 
 
+NUMBER = (int, float, type(None))
+BY_NAME = {'': NUMBER}                  # any name maps to a number
+SHAPE: dict[str, Any] = {               # of what the report reads
+    'title': str, 'result_hash': str, 'identity': {'': str, 'code': str}, 'fitted': {'': str},
+    'notes': [str], 'reasons': {'': str},
+    'measures': {'': {'words': str, 'unit': str, 'digits': int}},
+    'conditions': [{
+        'name': str, 'runs': int, 'successes': int, 'success_rate': NUMBER, 'runs_per_s': NUMBER,
+        'means': BY_NAME, 'standard_errors': BY_NAME, 'means_of_all_runs': BY_NAME,
+        'reasons': {'': int}}],
+    'differences': [{
+        'a': str, 'b': str, 'difference': NUMBER, 'paired95': [NUMBER], 'unpaired95': [NUMBER],
+        'only_a': int, 'only_b': int, 'p': NUMBER}]}
+
+
+def is_summary(content: Any, shape: Any = None) -> bool:
+    """Say whether what was read from `summary.json` has the shape of one."""
+    shape = SHAPE if shape is None else shape
+    if isinstance(shape, dict):
+        return isinstance(content, dict) and all(
+            key in content for key in shape if key) and all(
+            is_summary(value, shape[key] if key in shape else shape['']) for key, value in
+            content.items() if key in shape or '' in shape)
+    if isinstance(shape, list):
+        return isinstance(content, list) and all(is_summary(c, shape[0]) for c in content)
+    return isinstance(content, shape)
+
+
 def of_condition(condition: Condition, table: Table, seconds: float, measures: list[str]
                  ) -> dict[str, Any]:
     """

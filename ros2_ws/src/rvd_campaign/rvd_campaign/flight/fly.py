@@ -17,7 +17,7 @@ from typing import Any, Callable
 from rvd_campaign import catalogue
 from rvd_campaign.cpu import cpu_s
 from rvd_campaign.flight import verdict
-from rvd_dynamics.recording import drawing, reader
+from rvd_dynamics.recording import drawing, reader, whole
 from rvd_campaign.exits import (
     CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_FAILED, EXIT_FAULT, EXIT_INTERRUPTED)
 from rvd_dynamics.diagram.identity import new_run
@@ -162,8 +162,7 @@ def _empty(folder: Path) -> Path:
 def keep_scenario(run_dir: Path, scenario: Scenario) -> None:
     """Write the scenario into a new run folder, unless another run has just taken that one."""
     try:
-        with (run_dir / 'scenario.yaml').open('x', encoding='utf-8') as file:
-            file.write(scenario.dump())
+        whole.write_new(run_dir / 'scenario.yaml', scenario.dump())
     except FileExistsError:
         raise CannotRun(f'--out {run_dir} has just been taken by another run: give another '
                         'folder') from None
