@@ -486,7 +486,8 @@ HOSTILE = (
     'ALTER TABLE messages RENAME COLUMN data TO datum;', 'DELETE FROM topics;',
     "UPDATE messages SET data = 'text';", 'UPDATE messages SET data = 5;',
     'UPDATE messages SET timestamp = -1;', "UPDATE messages SET timestamp = 'x' WHERE id % 2;",
-    'UPDATE messages SET topic_id = 99;', 'UPDATE messages SET data = zeroblob(3000000) WHERE id < 20;',
+    'UPDATE messages SET topic_id = 99;',
+    'UPDATE messages SET data = zeroblob(3000000) WHERE id < 20;',
     "UPDATE topics SET name = x'ff00ff';", "UPDATE topics SET name = CAST(x'ff' AS TEXT);",
     'UPDATE topics SET type = 7;', "UPDATE message_definitions SET encoded_message_definition = "
     "hex(zeroblob(1000000));", 'PRAGMA journal_mode=WAL;', 'PRAGMA encoding="UTF-16";',
@@ -548,7 +549,7 @@ def _place(rng: Random, base: Path, bag: Path) -> None:
         with closing(socket.socket(socket.AF_UNIX)) as made:
             here = os.open(bag, os.O_RDONLY)
             try:
-                made.bind(f'/proc/self/fd/{here}/{path.name}')      # a short name: 107 bytes at most
+                made.bind(f'/proc/self/fd/{here}/{path.name}')      # of 107 bytes at most
             finally:
                 os.close(here)
     elif kind == 6:

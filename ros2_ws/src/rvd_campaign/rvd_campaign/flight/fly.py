@@ -16,7 +16,7 @@ from typing import Any, Callable
 
 from rvd_campaign import catalogue
 from rvd_campaign.cpu import cpu_s
-from rvd_campaign.flight import verdict
+from rvd_campaign.flight import room, verdict
 from rvd_dynamics.recording import drawing, reader, whole
 from rvd_campaign.exits import (
     CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_FAILED, EXIT_FAULT, EXIT_INTERRUPTED)
@@ -168,6 +168,7 @@ def keep_scenario(run_dir: Path, scenario: Scenario) -> None:
                         'folder') from None
     except OSError as error:
         raise CannotRun(f'cannot write into the run folder {run_dir}: {error.strerror}') from None
+    room.keep(run_dir)
 
 
 class Flight:
@@ -213,6 +214,7 @@ class Flight:
                 self._watch.spin(0.1)
                 self._watch.close()
                 self._end_line()
+                room.give(self._run_dir)        # whoever could have taken it has ended
         if problem is not None:
             self.problem = problem
             print(f'rvd fly: {problem}', file=sys.stderr)
@@ -222,7 +224,10 @@ class Flight:
         last, links = self._outcome()
         judged = verdict.outcome(last, interrupted)
         content = verdict.as_dict(judged, links, self._scenario)
-        verdict.write(self._run_dir / 'verdict.json', content)
+        try:
+            verdict.write(self._run_dir / 'verdict.json', content)
+        except OSError as error:                # the flight is what it was
+            print(f'rvd fly: no verdict.json: {error.strerror or error}', file=sys.stderr)
         print(verdict.in_words(judged), flush=True)
         if interrupted:
             return EXIT_INTERRUPTED

@@ -220,10 +220,14 @@ def _read_bag(path: Path, topic: str) -> Tape:
         content = MessageFile(file, {topic}, refuse_damage=True)
         for stored in content:
             _check_type(file, stored.source)
-            joy = stored.message
-            samples.add(f'{file}, {topic} message {stored.number}', tuple(joy.axes),
-                        tuple(joy.buttons))
-            stamps.append(stamp_ns(joy.header.stamp))
+            where, joy = f'{file}, {topic} message {stored.number}', stored.message
+            try:
+                axes, buttons = tuple(map(float, joy.axes)), tuple(map(int, joy.buttons))
+                stamps.append(stamp_ns(joy.header.stamp))
+            except (AttributeError, TypeError, ValueError):     # by the bag's own definition
+                raise BadInput(f'{where}: the bag defines {MESSAGE} otherwise than ROS does'
+                               ) from None
+            samples.add(where, axes, buttons)
             logged.append(stored.log_ns)
         for source in content.sources:          # also one without messages
             if source.topic == topic:
