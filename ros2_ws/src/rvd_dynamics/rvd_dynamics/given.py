@@ -128,6 +128,31 @@ def json_in(text: str, where: str) -> Any:
         raise BadInput(f'{where} is damaged: {error}') from None
 
 
+def has_shape(content: Any, shape: Any) -> bool:
+    """
+    Say whether what JSON holds has a shape.
+
+    Parameters
+    ----------
+    content : object
+        As `json_of` returns it.
+    shape : type, tuple of types, list or dict
+        A list has what each element is, and how many there are if that is given; a dict has what
+        its keys hold, of which those that end in `?` may be missing, and `''` stands for all
+        others.
+    """
+    if isinstance(shape, dict):
+        known = {key.removesuffix('?'): value for key, value in shape.items()}
+        return isinstance(content, dict) and all(
+            key in content for key in shape if key and not key.endswith('?')) and all(
+            has_shape(value, known[key] if key in known else known['']) for key, value in
+            content.items() if key in known or '' in known)
+    if isinstance(shape, list):
+        return (isinstance(content, list) and (len(shape) == 1 or len(content) == shape[1])
+                and all(has_shape(element, shape[0]) for element in content))
+    return isinstance(content, shape) and not (isinstance(content, bool) and shape != bool)
+
+
 def _unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     made = dict(pairs)
     if len(made) < len(pairs):

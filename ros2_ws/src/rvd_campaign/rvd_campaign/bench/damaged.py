@@ -305,7 +305,7 @@ def _lengths(rng: Random, content: Content) -> None:
 
 def _times(rng: Random, content: Content) -> None:
     for m in _some(rng, content):
-        m.log_time = rng.choice((0, 1, 2**63, 2**64 - 1, m.log_time * 1000))
+        m.log_time = rng.choice((0, 1, 2**63, 2**64 - 1, m.log_time * 1000 % 2**64))
 
 
 def _topics(rng: Random, content: Content) -> None:

@@ -38,12 +38,13 @@ from rvd_campaign.campaign import results
 from rvd_campaign.campaign.progress import Progress
 from rvd_campaign.campaign.results import Stretch, Table
 from rvd_campaign.campaign.software import code_hash, MATTERS, software, versions
-from rvd_campaign.campaign.spec import Campaign, CampaignError, from_dict
+from rvd_campaign.campaign.spec import Campaign, CampaignError, from_dict, KEPT_SHAPE
 from rvd_campaign.campaign.standstill import Standstill, STOPPED_S
 from rvd_dynamics import lifeline
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.in_process import draw, draws_key, fly
 from rvd_dynamics.diagram.scenario import Scenario, ScenarioError
-from rvd_dynamics.given import object_of
+from rvd_dynamics.given import has_shape, object_of
 from rvd_dynamics.recording import whole
 
 KEPT, PARTS, RESULTS = 'campaign.json', 'parts', 'results.parquet'
@@ -94,13 +95,18 @@ def open_folder(folder: Path) -> tuple[Campaign, dict]:
         if not (folder / KEPT).exists():
             raise CampaignError(f'{folder} is not the folder of a campaign: it has no {KEPT}')
         kept = object_of(folder / KEPT, 'campaign')
+        if not has_shape(kept.get('campaign'), KEPT_SHAPE):
+            raise CampaignError(f'{folder / KEPT} is damaged: it has not the shape of a campaign')
         return from_dict(kept['campaign']), kept
     except CampaignError:
         raise
     except ScenarioError as error:              # of a mission that is not installed, for instance
         raise CampaignError(f'{folder / KEPT}: {error}') from None
-    except (ValueError, KeyError, TypeError) as error:
-        raise CampaignError(f'{folder / KEPT} is damaged: {error}') from None
+    except BadInput as error:                   # of the file, which it names
+        raise CampaignError(str(error)) from None
+    except (ValueError, LookupError, TypeError, AttributeError) as error:
+        raise CampaignError(f'{folder / KEPT} is damaged: {type(error).__name__}: {error}'
+                            ) from None
 
 
 def check_same(folder: Path, kept: dict, campaign: Campaign) -> None:

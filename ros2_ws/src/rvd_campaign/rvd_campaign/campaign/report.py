@@ -6,6 +6,7 @@ import shlex
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from jinja2 import TemplateError
 import pyarrow
 
 from rvd_campaign.campaign import results, stats
@@ -19,7 +20,7 @@ from rvd_dynamics.given import object_of
 from rvd_dynamics.recording import whole
 from rvd_dynamics.recording.drawing import CampaignFigure, svg
 
-NO_SUMMARY = (LookupError, TypeError, ValueError, AttributeError)
+NO_SUMMARY = (LookupError, TypeError, ValueError, AttributeError, TemplateError)
 LONGEST = 60                            # rows of a table that a page shows
 DASH = '\u2013'
 TIME = {'words': 'time', 'unit': 's', 'digits': 1}

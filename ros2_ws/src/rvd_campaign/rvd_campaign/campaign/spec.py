@@ -47,6 +47,13 @@ OF_THE_CAMPAIGN = ('mission', 'seed', 'run', 'nodes', 'processes')  # no conditi
 NAME = re.compile(r'[A-Za-z0-9][\w.+ -]*')
 
 
+KEPT_SHAPE = {                  # of what `Campaign.as_dict` wrote
+    'name': str, 'title': str, 'seed': int, 'runs': int, 'replicates': (list, type(None)),
+    'compare': [[str, 2]], 'fitted': {'': str}, 'figures': [str], 'notes': [str], 'text': str,
+    'reference': {'': {'runs': int, 'successes': int, 'means?': {'': (int, float)}}},
+    'conditions': [{'name': str, 'group': str, 'at': dict, 'scenario': str}]}
+
+
 class CampaignError(BadInput):
     """A campaign that cannot be flown; the text is one line that names the value."""
 

@@ -17,6 +17,7 @@ from rvd_campaign.flight.verdict import unknown_as_none
 from rvd_dynamics.diagram.build import loaded
 from rvd_dynamics.diagram.in_process import judge_of
 from rvd_dynamics.diagram.judge import bare_name, declared
+from rvd_dynamics.given import has_shape
 
 SUMMARY = 'summary.json'
 DURATION = 'duration_s'                 # a column of every table, though no measure of a judge
@@ -63,32 +64,47 @@ def finish(campaign: Campaign, folder: Path) -> dict[str, Any]:
     return unknown_as_none(summary)
 
 
+REAL = (int, float)
 NUMBER = (int, float, type(None))
 BY_NAME = {'': NUMBER}                  # any name maps to a number
+SPREAD = {'mean?': REAL, 'deviation?': REAL, 'middle95?': [REAL, 2]}
 SHAPE: dict[str, Any] = {               # of what the report reads
     'title': str, 'result_hash': str, 'identity': {'': str, 'code': str}, 'fitted': {'': str},
     'notes': [str], 'reasons': {'': str},
     'measures': {'': {'words': str, 'unit': str, 'digits': int}},
     'conditions': [{
-        'name': str, 'runs': int, 'successes': int, 'success_rate': NUMBER, 'runs_per_s': NUMBER,
-        'means': BY_NAME, 'standard_errors': BY_NAME, 'means_of_all_runs': BY_NAME,
-        'reasons': {'': int}}],
+        'name': str, 'runs': int, 'successes': int, 'success_rate': REAL, 'runs_per_s': NUMBER,
+        'wilson95': [REAL, 2], 'means': BY_NAME, 'standard_errors': BY_NAME,
+        'means_of_all_runs': {'': REAL}, 'reasons': {'': int}, 'share_of_steps?': {'': REAL},
+        'duration_s?': {'mean': NUMBER, 'standard_error': NUMBER}}],
     'differences': [{
-        'a': str, 'b': str, 'difference': NUMBER, 'paired95': [NUMBER], 'unpaired95': [NUMBER],
-        'only_a': int, 'only_b': int, 'p': NUMBER}]}
+        'a': str, 'b': str, 'difference': REAL, 'paired95': [REAL, 2],
+        'unpaired95': [REAL, 2], 'only_a': int, 'only_b': int, 'p': REAL, 'both?': int,
+        'measures?': {'': {'difference': NUMBER, 'paired95': [NUMBER, 2]}}}],
+    'replicates?': {
+        'count': int, 'operators': int, 'runs': int, 'success_rate': {'': SPREAD},
+        'differences': [{'a': str, 'b': str, 'same_draws': SPREAD, 'other_draws': SPREAD,
+                         'a_not_better': NUMBER}]}}
 
 
-def is_summary(content: Any, shape: Any = None) -> bool:
-    """Say whether what was read from `summary.json` has the shape of one."""
-    shape = SHAPE if shape is None else shape
-    if isinstance(shape, dict):
-        return isinstance(content, dict) and all(
-            key in content for key in shape if key) and all(
-            is_summary(value, shape[key] if key in shape else shape['']) for key, value in
-            content.items() if key in shape or '' in shape)
-    if isinstance(shape, list):
-        return isinstance(content, list) and all(is_summary(c, shape[0]) for c in content)
-    return isinstance(content, shape)
+def is_summary(content: Any) -> bool:
+    """Say whether what was read from `summary.json` has the shape of one, and is of one piece."""
+    if not has_shape(content, SHAPE) or not content['conditions']:
+        return False
+    conditions, repeated = content['conditions'], content.get('replicates')
+    if repeated is not None and repeated['count'] >= 2 and not all(
+            set(spread) == {'mean', 'deviation', 'middle95'} for spread in (
+                *repeated['success_rate'].values(),
+                *(d[key] for d in repeated['differences'] for key in ('same_draws', 'other_draws')))):
+        return False
+    named = {reason for c in conditions for reason in c['reasons']}
+    return (named <= set(content['reasons'])
+            and all(set(c['means']) == set(c['standard_errors']) == set(conditions[0]['means'])
+                    and set(c['means_of_all_runs']) <= set(content['measures'])
+                    and 0 <= c['successes'] <= c['runs'] < 2**53 and c['runs'] > 0
+                    and set(c.get('share_of_steps', {})) == set(
+                        conditions[0].get('share_of_steps', {})) for c in conditions)
+            and all(0 <= m['digits'] < 20 for m in content['measures'].values()))
 
 
 def of_condition(condition: Condition, table: Table, seconds: float, measures: list[str]
