@@ -37,14 +37,14 @@ def find(kind: str, name: str, suffixes: tuple[str, ...]) -> Path:
         If there is no such file; the text lists what is shipped.
     """
     path = Path(name)
-    if path.is_file() or path.is_dir() and '' in suffixes:      # a tape may be a folder
+    if os.path.isfile(path) or '' in suffixes and os.path.isdir(path):      # a tape may be a folder
         return path
     for suffix in suffixes:
         shipped = root() / kind / f'{name}{suffix}'
-        if shipped.exists():
+        if os.path.exists(shipped):
             return shipped
     names = ', '.join(n for n, _ in entries(kind))
-    raise BadInput(f'no {kind[:-1]} {name!r}: give a file or one of {names}')
+    raise BadInput(f'no {kind[:-1]} {name[:200]!r}: give a file or one of {names}')
 
 
 def entries(what: str) -> Iterator[tuple[str, str]]:

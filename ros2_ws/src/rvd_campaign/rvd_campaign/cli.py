@@ -14,7 +14,7 @@ from rvd_campaign.exits import (
     CannotRun, check_open_files, EXIT_CANNOT, EXIT_DONE, EXIT_FAULT, EXIT_INTERRUPTED, OF_THE_DISK)
 from rvd_campaign.interrupts import ctrl_c_heard, has_come
 from rvd_campaign.output import keep_going
-from rvd_dynamics.bad_input import BadInput, one_line
+from rvd_dynamics.bad_input import BadInput, one_line, shortened
 
 
 class Parser(argparse.ArgumentParser):
@@ -67,7 +67,8 @@ def main(argv: list[str] | None = None) -> int:
     except Exception as error:                  # noqa: B902 - a fault of ours keeps its traceback
         if isinstance(error, OSError) and error.errno in OF_THE_DISK:
             where = '' if error.filename is None else f'{error.filename}: '
-            print(f'rvd {args.command}: {one_line(where)}{error.strerror}', file=sys.stderr)
+            print(f'rvd {args.command}: {shortened(one_line(where))}{error.strerror}',
+                  file=sys.stderr)
             return EXIT_CANNOT
         if has_come():                          # a library that it has cut short says anything
             return EXIT_INTERRUPTED

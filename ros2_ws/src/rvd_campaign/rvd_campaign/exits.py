@@ -17,8 +17,9 @@ EXIT_FAULT = 3                  # a fault of this software, with its traceback
 EXIT_INTERRUPTED = 130          # Ctrl-C
 
 OPEN_FILES = 256                # a process of a flight has about a hundred
-# What a disk, or a limit of the user, says to whoever writes: no fault of ours wherever it comes.
-OF_THE_DISK = (errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EFBIG, errno.EMFILE, errno.ENFILE)
+# What a disk, or a limit of the user, says to whoever comes: no fault of ours wherever it does.
+OF_THE_DISK = (errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EFBIG, errno.EMFILE, errno.ENFILE,
+               errno.ENAMETOOLONG)
 
 
 class CannotRun(Exception):

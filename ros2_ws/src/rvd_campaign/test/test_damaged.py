@@ -24,7 +24,7 @@ from rvd_campaign.bench import damaged
 from rvd_campaign.report import replay
 from rvd_campaign.report.run import page, write_report
 from rvd_dynamics.bad_input import BadInput
-from rvd_dynamics.recording import mcap_records
+from rvd_dynamics.recording import limits, mcap_records, messages
 from rvd_dynamics.recording.bag_writer import repair
 from rvd_dynamics.recording.messages import MessageFile
 from rvd_dynamics.recording.reader import read
@@ -225,6 +225,21 @@ def test_a_bomb_is_not_unpacked(tmp_path, what, fails):
     else:
         assert done.returncode == 0, done.stderr[-1000:]
         assert 'a chunk of messages: 2147483648 bytes' in done.stdout
+
+
+def test_bombs_that_are_messages_are_unpacked_once(base, tmp_path, monkeypatch):
+    content, packed = damaged.content_of(base), damaged._zstd_zeros(b'', 1 << 30)
+    for message in content.messages[:200]:
+        message.data = packed
+    (tmp_path / 'x.mcap').write_bytes(damaged.written(content))
+    monkeypatch.setattr(messages, 'TIMES', 2)
+    spent = []
+    monkeypatch.setattr(messages, 'unpacked', lambda kind, data, most: (
+        spent.append(most), limits.unpacked(kind, data, most))[1])
+    file = MessageFile(tmp_path / 'x.mcap')
+    assert len(list(file)) == len(content.messages) - 200 and len(spent) == 200
+    assert sum(spent) <= messages.SOME + 2 * (tmp_path / 'x.mcap').stat().st_size
+    assert 'unpacks to more than' in file.damage[0]
 
 
 def test_a_file_of_zstd_is_unpacked_as_far_as_its_size_allows(tmp_path):

@@ -21,6 +21,7 @@ ones win: set, condition, axes in their order. Every condition is built before t
 """
 
 import itertools
+import os
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
@@ -198,7 +199,7 @@ class _Reader:
     def _scenario(self, name: Any, seed: int) -> Scenario:
         """Return the scenario that everything is a change of; it brings the words and sections."""
         beside = self._folder / str(name)
-        path = beside if beside.is_file() else catalogue.find('scenarios', str(name), ('.yaml',))
+        path = beside if os.path.isfile(beside) else catalogue.find('scenarios', str(name), ('.yaml',))
         base = load(path).with_values(SHARED, seed=seed, run=0)
         delays = (LOOP_DELAY,) if all(map(base.has_shared, DELAYS)) else ()
         self._words = (*base.mission.short_words, *delays)
@@ -219,6 +220,8 @@ class _Reader:
             self._refuse('grid must map axes to values')
         axes = {}
         for name, values in grid.items():
+            if not isinstance(name, str):
+                self._refuse(f'grid axis {name} must be text')
             if isinstance(values, list) and values:
                 axes[name] = [(value, self._one_key(str(name), value)) for value in values]
             elif isinstance(values, dict) and values:

@@ -213,9 +213,12 @@ class MessageFile:
         """Return a message, unpacked where it was compressed by itself; None if it cannot be."""
         if data[:4] != ZSTD:
             return data
+        most = min(self._unpacking, MAX_RECORD)
         try:
-            made = unpacked('zstd', data, min(self._unpacking, MAX_RECORD))
+            made = unpacked('zstd', data, most)
         except Damage as error:
+            if 'unpacks to more' in str(error):
+                self._unpacking -= most         # that is what it took to find out
             self.damaged(f'{source.topic} message {source.count}: {error}')
             return None
         self._unpacking -= len(made)
