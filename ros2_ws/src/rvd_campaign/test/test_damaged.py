@@ -79,7 +79,7 @@ for seed, run in damaged.cases(int(sys.argv[1]), int(sys.argv[2]), Path(sys.argv
 @pytest.mark.patient
 def test_damaged_bags_are_shown_or_refused(base, tmp_path):
     done = subprocess.run(
-        [sys.executable, '-c', SEEDS, '2000', '30', str(base), str(tmp_path / 'run')],
+        [sys.executable, '-c', SEEDS, '2000', '12', str(base), str(tmp_path / 'run')],
         capture_output=True, text=True)
     assert (done.returncode, done.stdout) == (0, ''), done.stdout + done.stderr[-2000:]
 
