@@ -16,7 +16,7 @@ from typing import Any, Callable
 
 from rvd_campaign import catalogue
 from rvd_campaign.cpu import cpu_s
-from rvd_campaign.flight import room, verdict
+from rvd_campaign.flight import verdict
 from rvd_dynamics.recording import drawing, reader, whole
 from rvd_campaign.exits import (
     CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_FAILED, EXIT_FAULT, EXIT_INTERRUPTED)
@@ -24,6 +24,7 @@ from rvd_dynamics.diagram.identity import new_run
 from rvd_dynamics.diagram.roster import listed
 from rvd_dynamics.diagram.scenario import load, Scenario
 from rvd_campaign.interrupts import uninterrupted
+from rvd_campaign.flight import room
 from rvd_campaign.flight.supervisor import Supervisor
 from rvd_campaign.report.attempt import attempt
 from rvd_groundstation.operators.tape import read_tape, TOPIC
@@ -224,10 +225,7 @@ class Flight:
         last, links = self._outcome()
         judged = verdict.outcome(last, interrupted)
         content = verdict.as_dict(judged, links, self._scenario)
-        try:
-            verdict.write(self._run_dir / 'verdict.json', content)
-        except OSError as error:                # the flight is what it was
-            print(f'rvd fly: no verdict.json: {error.strerror or error}', file=sys.stderr)
+        verdict.write(self._run_dir / 'verdict.json', content)
         print(verdict.in_words(judged), flush=True)
         if interrupted:
             return EXIT_INTERRUPTED
