@@ -30,7 +30,7 @@ ONBOARD = ['rvd_dynamics.onboard']
 # world, and what the link does on the way it knows through frames alone.
 SHARED = [f'rvd_dynamics.{top}' for top in (
     'bad_input', 'compiled', 'constants', 'frames', 'motion', 'geometry', 'commands', 'link.frame',
-    'link.signals', 'diagram', 'lifeline', 'recording.messages', 'recording.whole')]
+    'link.signals', 'diagram', 'given', 'lifeline', 'recording.messages', 'recording.whole')]
 NOT_GROUND = [*WORLD, *ONBOARD, *(f'rvd_dynamics.link.{part}' for part in (
     'models', 'plan', 'play_out', 'channel', 'leg'))]
 RUNTIME = ['rvd_dynamics.diagram.ros']          # runs blocks of any segment

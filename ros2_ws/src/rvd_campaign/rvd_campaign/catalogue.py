@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Iterator
 
 from rvd_dynamics.bad_input import BadInput
+from rvd_dynamics.given import MAX_TABLE_BYTES, text_of
 
 
 def root() -> Path:
@@ -36,14 +37,14 @@ def find(kind: str, name: str, suffixes: tuple[str, ...]) -> Path:
         If there is no such file; the text lists what is shipped.
     """
     path = Path(name)
-    if path.is_file() or path.is_dir() and '' in suffixes:      # a tape may be a folder
+    if os.path.isfile(path) or '' in suffixes and os.path.isdir(path):      # a tape may be a folder
         return path
     for suffix in suffixes:
         shipped = root() / kind / f'{name}{suffix}'
-        if shipped.exists():
+        if os.path.exists(shipped):
             return shipped
     names = ', '.join(n for n, _ in entries(kind))
-    raise BadInput(f'no {kind[:-1]} {name!r}: give a file or one of {names}')
+    raise BadInput(f'no {kind[:-1]} {name[:200]!r}: give a file or one of {names}')
 
 
 def entries(what: str) -> Iterator[tuple[str, str]]:
@@ -76,6 +77,8 @@ def _first_paragraph(doc: str | None) -> str:
 def _first_comment(path: Path) -> str:
     if path.is_dir():
         return 'rosbag2 bag'
-    with path.open(encoding='utf-8') as file:
-        line = file.readline()
+    try:
+        line = text_of(path, 'list entry', MAX_TABLE_BYTES).partition('\n')[0]
+    except BadInput as error:
+        return f'({error})'
     return line.lstrip('# ').strip() if line.startswith('#') else ''

@@ -10,10 +10,11 @@ import sys
 import traceback
 from typing import Any
 
-from rvd_campaign.exits import CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_FAULT, EXIT_INTERRUPTED
+from rvd_campaign.exits import (
+    CannotRun, check_open_files, EXIT_CANNOT, EXIT_DONE, EXIT_FAULT, EXIT_INTERRUPTED, OF_THE_DISK)
 from rvd_campaign.interrupts import ctrl_c_heard, has_come
 from rvd_campaign.output import keep_going
-from rvd_dynamics.bad_input import BadInput, one_line
+from rvd_dynamics.bad_input import BadInput, one_line, shortened
 
 
 class Parser(argparse.ArgumentParser):
@@ -55,6 +56,7 @@ def main(argv: list[str] | None = None) -> int:
     keep_going()
     args = parser().parse_args(argv)
     try:
+        check_open_files()
         with ctrl_c_heard():
             return args.run(args)
     except (CannotRun, BadInput) as error:
@@ -63,6 +65,11 @@ def main(argv: list[str] | None = None) -> int:
     except KeyboardInterrupt:
         return EXIT_INTERRUPTED
     except Exception as error:                  # noqa: B902 - a fault of ours keeps its traceback
+        if isinstance(error, OSError) and error.errno in OF_THE_DISK:
+            where = '' if error.filename is None else f'{error.filename}: '
+            print(f'rvd {args.command}: {shortened(one_line(where))}{error.strerror}',
+                  file=sys.stderr)
+            return EXIT_CANNOT
         if has_come():                          # a library that it has cut short says anything
             return EXIT_INTERRUPTED
         traceback.print_exc()

@@ -2,8 +2,10 @@
 The page of a campaign: well formed, by itself, and saying what was fitted.
 """
 
+import copy
 import io
 import json
+from random import Random
 import re
 import shutil
 import xml.etree.ElementTree
@@ -13,8 +15,8 @@ import numpy as np
 import pytest
 from scipy.stats import ttest_rel
 
-from rvd_campaign.campaign import results
-from rvd_campaign.campaign.engine import fly_campaign, RESULTS, start, Workers
+from rvd_campaign.campaign import report, results
+from rvd_campaign.campaign.engine import fly_campaign, KEPT, RESULTS, start, Workers
 from rvd_campaign.campaign.figures import figures_of, needed, Results
 from rvd_campaign.campaign.progress import Progress
 from rvd_campaign.campaign.report import page, write_campaign_report
@@ -210,6 +212,45 @@ def test_damaged_results_are_refused_with_the_way_to_make_them_again(folder, tmp
     (tmp_path / 'a copy' / name).write_bytes(data)
     with pytest.raises(CampaignError, match="--resume '.*/a copy'|another version"):
         write_campaign_report(tmp_path / 'a copy')
+
+
+def changed(rng, tree):
+    """Change one thing in a tree of JSON: what it is, or that it is there."""
+    while True:
+        key = rng.choice(list(tree) if isinstance(tree, dict) else range(len(tree)))
+        if isinstance(tree[key], (dict, list)) and tree[key] and rng.random() < 0.7:
+            tree = tree[key]
+            continue
+        if rng.random() < 0.3:
+            del tree[key]
+        else:
+            tree[key] = rng.choice((None, 'x', -1, 1e308, [], {}, [[1]], {'a': 1}, True, 10**30))
+        return
+
+
+@pytest.mark.parametrize('name', [SUMMARY, KEPT])
+def test_files_of_another_shape_are_a_page_or_one_line(folder, tmp_path, monkeypatch, name):
+    monkeypatch.setattr(report, 'shown_by', lambda campaign: {})        # they take a second each
+    shutil.copytree(folder, tmp_path / 'copy')
+    content, refused = json.loads((folder / name).read_text()), 0
+    for seed in range(50):
+        rng, tree = Random(seed), copy.deepcopy(content)
+        for _ in range(rng.choice((1, 1, 3))):
+            changed(rng, tree)
+        (tmp_path / 'copy' / name).write_text(json.dumps(tree))
+        try:
+            write_campaign_report(tmp_path / 'copy')
+        except CampaignError as error:
+            assert str(error).isprintable()
+            refused += 1
+    assert 5 < refused < 50                    # the shape is told from what it holds
+
+
+def test_a_fault_of_the_report_is_not_blamed_on_the_file(folder, monkeypatch):
+    """The negative twin."""
+    monkeypatch.setattr(report, 'render', lambda *args, **content: {}['figures'])
+    with pytest.raises(KeyError):
+        write_campaign_report(folder)
 
 
 def test_drawing_twice_gives_the_same_bytes(made):

@@ -10,6 +10,8 @@ from rvd_campaign.exits import CannotRun
 from rvd_campaign.flight import domain as domains
 from rvd_campaign.flight.domain import reserved_domain
 
+AS_ROOT = pytest.mark.skipif(os.getuid() != 0, reason='only root can give away')
+
 
 @pytest.fixture(autouse=True)
 def runtime(tmp_path, monkeypatch):
@@ -120,7 +122,7 @@ def of_somebody_else(place, tmp_path):
 
 
 @pytest.mark.parametrize('plant', [planted_link, planted_file, writable_by_all, pytest.param(
-    of_somebody_else, marks=pytest.mark.skipif(os.getuid() != 0, reason='only root can give away'))])
+    of_somebody_else, marks=AS_ROOT)])
 def test_a_folder_that_another_user_may_have_planted_is_refused(tmp_path, monkeypatch, plant):
     monkeypatch.setenv('XDG_RUNTIME_DIR', '')
     plant(tmp_path / f'rvd-domains-{os.getuid()}', tmp_path)
@@ -136,5 +138,72 @@ def test_a_planted_link_is_not_written_through(runtime, tmp_path, monkeypatch):
     (runtime / 'rvd-domains').mkdir(mode=0o700)
     (runtime / 'rvd-domains' / '5').symlink_to(precious)
     with pytest.raises(CannotRun, match='cannot lock'):
+        reserved_domain().__enter__()
+    assert precious.read_text() == 'years of work'
+
+
+def planted_hard_link(place, precious):
+    os.link(precious, place)
+
+
+def planted_pipe(place, precious):
+    os.mkfifo(place)
+
+
+def of_another_owner(place, precious):
+    place.write_text('')
+    os.chown(place, 12345, -1)
+
+
+@pytest.mark.parametrize('plant', [planted_hard_link, planted_pipe, pytest.param(
+    of_another_owner, marks=AS_ROOT)])
+def test_a_lock_that_was_planted_is_refused_and_left_alone(runtime, tmp_path, monkeypatch, plant):
+    """As when the folder could be written to by others before: a second name is not followed."""
+    monkeypatch.setenv('ROS_DOMAIN_ID', '5')
+    precious = tmp_path / 'precious'
+    precious.write_text('years of work')
+    (runtime / 'rvd-domains').mkdir(mode=0o700)
+    plant(runtime / 'rvd-domains' / '5', precious)
+    with pytest.raises(CannotRun, match='5: it is no file of your own alone: remove it'):
+        reserved_domain().__enter__()
+    assert precious.read_text() == 'years of work'
+    assert domains._who_holds(runtime / 'rvd-domains' / '5') == ''
+
+
+def test_a_plain_lock_writes_through_a_hard_link(tmp_path):
+    """The negative twin: not to follow links is not enough."""
+    precious = tmp_path / 'precious'
+    precious.write_text('years of work')
+    planted_hard_link(tmp_path / '5', precious)
+    file = os.open(tmp_path / '5', os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW)
+    os.ftruncate(file, 0)
+    os.close(file)
+    assert precious.read_text() == ''
+
+
+@pytest.mark.skipif(os.getuid() != 0, reason='only root can become another user')
+def test_another_user_cannot_have_our_files_emptied(runtime, tmp_path, monkeypatch):
+    """A folder in /tmp that somebody else made before, with links to a file of ours inside."""
+    monkeypatch.setenv('XDG_RUNTIME_DIR', '')
+    monkeypatch.setenv('ROS_DOMAIN_ID', '5')
+    precious = tmp_path / 'precious'
+    precious.write_text('years of work')
+    for folder in (tmp_path, *tmp_path.parents):
+        if str(folder).startswith('/tmp/'):
+            folder.chmod(folder.stat().st_mode | 0o055)
+    tmp_path.chmod(0o1777)
+
+    def other() -> None:
+        os.setgid(65534)
+        os.setuid(65534)
+        place = tmp_path / 'rvd-domains-0'
+        place.mkdir()
+        (place / '5').symlink_to(precious)
+        place.chmod(0o700)
+    child = multiprocessing.get_context('fork').Process(target=other)
+    child.start()
+    child.join()
+    assert child.exitcode == 0
+    with pytest.raises(CannotRun, match='rvd-domains-0 must be a folder of your own'):
         reserved_domain().__enter__()
     assert precious.read_text() == 'years of work'

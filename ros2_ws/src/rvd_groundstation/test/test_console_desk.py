@@ -6,6 +6,8 @@ import json
 
 import pytest
 
+from rvd_dynamics.bad_input import BadInput
+from rvd_dynamics.recording import whole
 from rvd_groundstation.console.desk import (
     cooper_harper_range, Desk, latin_square, plan, read_session, Session, TLX, tlx_pairs)
 
@@ -182,3 +184,20 @@ def test_the_note_of_a_session_is_kept_for_its_report(tmp_path):
     Desk(read_session(file), tmp_path / 'session')
     kept = json.loads((tmp_path / 'session' / 'session.json').read_text())
     assert kept['note'] == 'as known from elsewhere'
+
+
+def test_a_rating_that_the_disk_does_not_take_can_be_given_again(tmp_path, monkeypatch):
+    desk = Desk(SESSION, tmp_path)
+    desk.do({'act': 'begin', 'volunteer': 1})
+    flown(desk, tmp_path)
+    before, write_text = desk.view(), whole.write_text
+
+    def full(path, text):
+        raise OSError(28, 'No space left on device')
+    monkeypatch.setattr(whole, 'write_text', full)
+    with pytest.raises(BadInput, match='cannot write .*ratings.json: No space left on device'):
+        desk.do({'act': 'rate', **GOOD})
+    assert desk.view() == before and before['stage'] == 'rate'
+    monkeypatch.setattr(whole, 'write_text', write_text)
+    desk.do({'act': 'rate', **GOOD})
+    assert desk.view()['stage'] != 'rate'

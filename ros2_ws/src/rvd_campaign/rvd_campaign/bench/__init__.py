@@ -16,6 +16,7 @@ from typing import NamedTuple
 from rvd_campaign.bench import processes
 from rvd_campaign.bench.before import Checkout, HOW
 from rvd_campaign.exits import check_file
+from rvd_dynamics.recording import whole
 
 
 class Row(NamedTuple):
@@ -49,7 +50,7 @@ def main(args: argparse.Namespace) -> int:
     if args.quick:
         print('\nquick: too little was measured to hold against the targets')
     if args.out:
-        Path(args.out).write_text(json.dumps(content, indent=2) + '\n', encoding='utf-8')
+        whole.save(Path(args.out), json.dumps(content, indent=2) + '\n')
         print(f'\n{args.out}')
     return 0
 

@@ -14,7 +14,9 @@ Source  Zhang, Li, Tang, J. Astronautics 35(3), 2014, Table 3.
 
 import argparse
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from concurrent.futures import BrokenExecutor
+from contextlib import contextmanager
 from dataclasses import dataclass, fields, replace
 from math import exp, log, sqrt
 from pathlib import Path
@@ -28,6 +30,7 @@ from rvd_campaign import catalogue
 from rvd_campaign.campaign import engine, stats
 from rvd_campaign.campaign.results import Stretch, Table
 from rvd_campaign.campaign.software import software
+from rvd_campaign.campaign.standstill import Standstill, STOPPED_S
 from rvd_campaign.exits import CannotRun, check_file, EXIT_DONE
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.params import flatten
@@ -269,7 +272,7 @@ def main(args: argparse.Namespace) -> int:
     out = Path(args.out or f'pilot_{Path(args.pilot).stem}.yaml')
     check_file('--out', str(out))
     count = args.workers or engine.default_workers()
-    with joblib.parallel_config('loky', inner_max_num_threads=1), \
+    with _workers_alive(), joblib.parallel_config('loky', inner_max_num_threads=1), \
             joblib.Parallel(n_jobs=count) as pool:
         bench = Bench(scenario, args.runs, pool)
         print(f'fitting {", ".join(free)} of pilot {args.pilot}: {args.runs:,} manual runs each '
@@ -281,9 +284,20 @@ def main(args: argparse.Namespace) -> int:
             more = study(bench, fitted, look, free[0])
             print('\n'.join(more), flush=True)
             lines += more
-    whole.write_text(out, pilot_file(fitted, args, free, lines))
-    print(out)
+    print(whole.save(out, pilot_file(fitted, args, free, lines)))
     return EXIT_DONE
+
+
+@contextmanager
+def _workers_alive() -> Iterator[None]:
+    """Say in one line that a worker was killed, or stopped for good."""
+    with Standstill() as standstill:
+        try:
+            yield
+        except BrokenExecutor as error:
+            how = (f'was stopped for {STOPPED_S:g} s' if standstill.ended
+                   else engine.how_it_ended(error))
+            raise CannotRun(f'a worker {how}: nothing is kept, calibrate again') from None
 
 
 def _asked(args: argparse.Namespace) -> tuple[PilotParams, list[str], Scenario]:

@@ -18,12 +18,14 @@ import itertools
 import json
 import os
 import re
+import shlex
 import shutil
 import signal
 import socket
 import threading
 import time
 from collections.abc import Iterable, Iterator
+from concurrent.futures import BrokenExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import lru_cache
@@ -36,10 +38,13 @@ from rvd_campaign.campaign import results
 from rvd_campaign.campaign.progress import Progress
 from rvd_campaign.campaign.results import Stretch, Table
 from rvd_campaign.campaign.software import code_hash, MATTERS, software, versions
-from rvd_campaign.campaign.spec import Campaign, CampaignError, from_dict
+from rvd_campaign.campaign.spec import Campaign, CampaignError, from_dict, KEPT_SHAPE
+from rvd_campaign.campaign.standstill import Standstill, STOPPED_S
 from rvd_dynamics import lifeline
+from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.in_process import draw, draws_key, fly
 from rvd_dynamics.diagram.scenario import Scenario, ScenarioError
+from rvd_dynamics.given import has_shape, object_of
 from rvd_dynamics.recording import whole
 
 KEPT, PARTS, RESULTS = 'campaign.json', 'parts', 'results.parquet'
@@ -87,15 +92,21 @@ def open_folder(folder: Path) -> tuple[Campaign, dict]:
         If it is not the folder of a campaign.
     """
     try:
-        kept = json.loads((folder / KEPT).read_text(encoding='utf-8'))
+        if not (folder / KEPT).exists():
+            raise CampaignError(f'{folder} is not the folder of a campaign: it has no {KEPT}')
+        kept = object_of(folder / KEPT, 'campaign')
+        if not has_shape(kept.get('campaign'), KEPT_SHAPE):
+            raise CampaignError(f'{folder / KEPT} is damaged: it has not the shape of a campaign')
         return from_dict(kept['campaign']), kept
-    except OSError as error:
-        raise CampaignError(f'{folder} is not the folder of a campaign: {KEPT}: '
-                            f'{error.strerror}') from None
+    except CampaignError:
+        raise
     except ScenarioError as error:              # of a mission that is not installed, for instance
         raise CampaignError(f'{folder / KEPT}: {error}') from None
-    except (ValueError, KeyError, TypeError) as error:
-        raise CampaignError(f'{folder / KEPT} is damaged: {error}') from None
+    except BadInput as error:                   # of the file, which it names
+        raise CampaignError(str(error)) from None
+    except (ValueError, LookupError, TypeError, AttributeError) as error:
+        raise CampaignError(f'{folder / KEPT} is damaged: {type(error).__name__}: {error}'
+                            ) from None
 
 
 def check_same(folder: Path, kept: dict, campaign: Campaign) -> None:
@@ -135,21 +146,44 @@ def fly_campaign(campaign: Campaign, folder: Path, workers: Workers, progress: P
     Raises
     ------
     CampaignError
-        If the disk is full, or a worker cannot do its work; finished runs are kept.
+        If the disk is full, or a worker cannot do its work or was killed; finished runs are
+        kept. One that somebody stopped is ended, and others fly its runs.
     """
     parts = folder / PARTS
-    done = list(results.finished(parts))
-    todo = stretches(campaign, done, workers)
+    todo = stretches(campaign, list(results.finished(parts)), workers)
     check_space(folder, sum(s.count for s in todo))
     total = len(campaign.conditions) * campaign.runs
     progress.begin(total - sum(s.count for s in todo), total)
-    for stretch, table, seconds in _flown(campaign, todo, workers):
+    while todo:
         try:
-            results.write_part(parts, stretch, table, seconds)
-        except OSError as error:
-            raise full_disk(folder, error) from None
-        progress.add(stretch.count)
+            for stretch, table, seconds in _flown(campaign, todo, workers):
+                try:
+                    results.write_part(parts, stretch, table, seconds)
+                except OSError as error:
+                    raise full_disk(folder, error) from None
+                progress.add(stretch.count)
+            break
+        except WorkerStopped as error:
+            progress.say(f'{error}: its runs are flown by another')
+            todo = stretches(campaign, list(results.finished(parts)), workers)
+        except BrokenExecutor as error:
+            raise CampaignError(
+                f'a worker {how_it_ended(error)}; finished runs are kept: go on with ./rvd '
+                f'campaign --resume {shlex.quote(str(folder))}') from None
     progress.end()
+
+
+class WorkerStopped(Exception):
+    """Workers were stopped by somebody and have been ended; their runs are to be flown."""
+
+
+def how_it_ended(error: BrokenExecutor) -> str:
+    """Return in words how a worker ended: joblib's error names the signals."""
+    found = sorted(set(re.findall(r'SIG[A-Z]+', str(error))))
+    if not found:
+        return 'has ended'
+    memory = ' or for want of memory' if 'SIGKILL' in found else ''
+    return f'was ended by {", ".join(found)} (by somebody{memory})'
 
 
 def stretches(campaign: Campaign, done: list[Stretch], workers: Workers) -> list[Stretch]:
@@ -205,8 +239,14 @@ def _flown(campaign: Campaign, todo: list[Stretch], workers: Workers
                                batch_size=1, pre_dispatch='2*n_jobs')
         flown = pool(work)
         try:
-            for finished in flown:
-                yield from finished
+            with Standstill() as standstill:
+                for finished in flown:
+                    yield from finished
+        except BrokenExecutor:
+            if not standstill.ended:
+                raise
+            raise WorkerStopped(f'worker {", ".join(map(str, standstill.ended))} was stopped for '
+                                f'{STOPPED_S:g} s') from None
         finally:
             flown.close()                       # ends the workers when we leave early
 

@@ -47,6 +47,11 @@ class Progress:
             self._stream.write(text)
             self._stream.flush()
 
+    def say(self, sentence: str) -> None:
+        """Say something else that happened."""
+        self._stream.write(('\r\x1b[K' if self._live else '') + f'{sentence}\n')
+        self._stream.flush()
+
     def line(self) -> str:
         """Return how far it is."""
         rate = self.flown / max(self.elapsed_s, 1e-9)

@@ -2,22 +2,25 @@
 `report.html` of a campaign: one page that stands by itself and prints.
 """
 
-import json
 import shlex
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from jinja2 import TemplateError
 import pyarrow
 
 from rvd_campaign.campaign import results, stats
 from rvd_campaign.campaign.engine import open_folder, RESULTS
 from rvd_campaign.campaign.figures import needed, Results, shown_by
 from rvd_campaign.campaign.spec import CampaignError
-from rvd_campaign.campaign.summary import DURATION, SUMMARY
+from rvd_campaign.campaign.summary import DURATION, is_summary, SUMMARY
 from rvd_campaign.report.page import Drawn, render
+from rvd_dynamics.bad_input import BadInput
+from rvd_dynamics.given import object_of
 from rvd_dynamics.recording import whole
 from rvd_dynamics.recording.drawing import CampaignFigure, svg
 
+NO_SUMMARY = (LookupError, TypeError, ValueError, AttributeError, TemplateError)
 LONGEST = 60                            # rows of a table that a page shows
 DASH = '\u2013'
 TIME = {'words': 'time', 'unit': 's', 'digits': 1}
@@ -42,16 +45,24 @@ def write_campaign_report(folder: Path) -> Path:
     CampaignError
         If the folder has no results yet, or those of another version.
     """
-    target = folder / 'report.html'
-    whole.write_text(target, page(read(folder)))
-    return target
+    made = read(folder)
+    try:
+        text = page(made)
+    except NO_SUMMARY as error:
+        if is_summary(made.summary):
+            raise                               # a fault of ours
+        raise CampaignError(f'{folder / SUMMARY} is damaged ({type(error).__name__}: {error})'
+                            f'{_make_again(folder)}') from None
+    return whole.save(folder / 'report.html', text)
 
 
 def read(folder: Path) -> Results:
     """Return what a campaign folder says; errors as `write_campaign_report`."""
     campaign, _ = open_folder(folder)
     try:
-        summary = json.loads((folder / SUMMARY).read_text(encoding='utf-8'))
+        if not (folder / SUMMARY).exists():
+            raise FileNotFoundError
+        summary = object_of(folder / SUMMARY, 'summary of a campaign')
         if not {'measures', 'reasons'} <= set(summary):
             raise CampaignError(f'{folder / SUMMARY} is of another version of this software, '
                                 'which alone can report on it')
@@ -61,9 +72,15 @@ def read(folder: Path) -> Results:
                             f'--resume {shlex.quote(str(folder))}') from None
     except OSError as error:
         raise CampaignError(f'cannot read the results in {folder}: {error}') from None
-    except (UnicodeDecodeError, json.JSONDecodeError, pyarrow.ArrowInvalid) as error:
-        raise CampaignError(f'the results in {folder} are damaged: {error}: make them again with '
-                            f'./rvd campaign --resume {shlex.quote(str(folder))}') from None
+    except CampaignError:
+        raise
+    except (BadInput, pyarrow.ArrowException, KeyError, IndexError) as error:
+        raise CampaignError(f'the results in {folder} are damaged: {error}'
+                            f'{_make_again(folder)}') from None
+
+
+def _make_again(folder: Path) -> str:
+    return f': make them again with ./rvd campaign --resume {shlex.quote(str(folder))}'
 
 
 def page(made: Results) -> str:

@@ -20,9 +20,9 @@ SOURCES = ('.py', '.c', '.h')
 # What a run in process loads of ours, by package; nodes, console and reports change no number.
 LOOP = {
     'rvd_dynamics': (
-        'bad_input.py', 'commands', 'constants.py', 'diagram', 'frames.py', 'geometry', 'link',
-        'motion', 'onboard', 'world', *(f'recording/{name}.py' for name in (  # what reads a tape
-            '__init__', 'mcap_file', 'messages', 'params', 'rosbag2', 'sqlite_file', 'whole'))),
+        'bad_input.py', 'commands', 'constants.py', 'diagram', 'frames.py', 'geometry', 'given.py',
+        'link', 'motion', 'onboard', 'world', *(f'recording/{name}.py' for name in (  # reads tapes
+            '__init__', 'limits', 'mcap_records', 'messages', 'params', 'sqlite_file', 'whole'))),
     'rvd_groundstation': (
         'guidance', 'joystick/__init__.py', 'joystick/params.py', 'operators', 'prediction',
         'settings.py', 'sharing')}

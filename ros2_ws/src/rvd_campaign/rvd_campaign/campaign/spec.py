@@ -21,6 +21,7 @@ ones win: set, condition, axes in their order. Every condition is built before t
 """
 
 import itertools
+import os
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
@@ -34,7 +35,8 @@ from rvd_dynamics.diagram import in_process
 from rvd_dynamics.diagram.build import loaded
 from rvd_dynamics.diagram.mission import Mission
 from rvd_dynamics.diagram.scenario import (
-    flat_keys, load, mapping_of, nearest, parse, Scenario, ScenarioError, SHARED, text_of)
+    flat_keys, load, nearest, parse, Scenario, ScenarioError, SHARED)
+from rvd_dynamics.given import mapping_of, text_of
 
 MAX_CONDITIONS = 1000
 MAX_RUNS = 10_000_000           # of all conditions; a table of 2 GB
@@ -44,6 +46,13 @@ LOOP_DELAY = 'loop_delay_s'             # the short word for both delays of the 
 DELAYS = ('forward_delay_s', 'back_delay_s')
 OF_THE_CAMPAIGN = ('mission', 'seed', 'run', 'nodes', 'processes')  # no condition may change them
 NAME = re.compile(r'[A-Za-z0-9][\w.+ -]*')
+
+
+KEPT_SHAPE = {                  # of what `Campaign.as_dict` wrote
+    'name': str, 'title': str, 'seed': int, 'runs': int, 'replicates': (list, type(None)),
+    'compare': [[str, 2]], 'fitted': {'': str}, 'figures': [str], 'notes': [str], 'text': str,
+    'reference': {'': {'runs': int, 'successes': int, 'means?': {'': (int, float)}}},
+    'conditions': [{'name': str, 'group': str, 'at': dict, 'scenario': str}]}
 
 
 class CampaignError(BadInput):
@@ -190,7 +199,7 @@ class _Reader:
     def _scenario(self, name: Any, seed: int) -> Scenario:
         """Return the scenario that everything is a change of; it brings the words and sections."""
         beside = self._folder / str(name)
-        path = beside if beside.is_file() else catalogue.find('scenarios', str(name), ('.yaml',))
+        path = beside if os.path.isfile(beside) else catalogue.find('scenarios', str(name), ('.yaml',))
         base = load(path).with_values(SHARED, seed=seed, run=0)
         delays = (LOOP_DELAY,) if all(map(base.has_shared, DELAYS)) else ()
         self._words = (*base.mission.short_words, *delays)
@@ -211,6 +220,8 @@ class _Reader:
             self._refuse('grid must map axes to values')
         axes = {}
         for name, values in grid.items():
+            if not isinstance(name, str):
+                self._refuse(f'grid axis {name} must be text')
             if isinstance(values, list) and values:
                 axes[name] = [(value, self._one_key(str(name), value)) for value in values]
             elif isinstance(values, dict) and values:

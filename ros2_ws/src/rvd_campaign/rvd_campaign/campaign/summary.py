@@ -17,6 +17,7 @@ from rvd_campaign.flight.verdict import unknown_as_none
 from rvd_dynamics.diagram.build import loaded
 from rvd_dynamics.diagram.in_process import judge_of
 from rvd_dynamics.diagram.judge import bare_name, declared
+from rvd_dynamics.given import has_shape
 
 SUMMARY = 'summary.json'
 DURATION = 'duration_s'                 # a column of every table, though no measure of a judge
@@ -61,6 +62,49 @@ def finish(campaign: Campaign, folder: Path) -> dict[str, Any]:
         by_replicate = {name: s.reshape(-1, size).mean(axis=1) for name, s in success.items()}
         summary['replicates'] = of_replicates(campaign, by_replicate)
     return unknown_as_none(summary)
+
+
+REAL = (int, float)
+NUMBER = (int, float, type(None))
+BY_NAME = {'': NUMBER}                  # any name maps to a number
+SPREAD = {'mean?': REAL, 'deviation?': REAL, 'middle95?': [REAL, 2]}
+SHAPE: dict[str, Any] = {               # of what the report reads
+    'title': str, 'result_hash': str, 'identity': {'': str, 'code': str}, 'fitted': {'': str},
+    'notes': [str], 'reasons': {'': str},
+    'measures': {'': {'words': str, 'unit': str, 'digits': int}},
+    'conditions': [{
+        'name': str, 'runs': int, 'successes': int, 'success_rate': REAL, 'runs_per_s': NUMBER,
+        'wilson95': [REAL, 2], 'means': BY_NAME, 'standard_errors': BY_NAME,
+        'means_of_all_runs': {'': REAL}, 'reasons': {'': int}, 'share_of_steps?': {'': REAL},
+        'duration_s?': {'mean': NUMBER, 'standard_error': NUMBER}}],
+    'differences': [{
+        'a': str, 'b': str, 'difference': REAL, 'paired95': [REAL, 2],
+        'unpaired95': [REAL, 2], 'only_a': int, 'only_b': int, 'p': REAL, 'both?': int,
+        'measures?': {'': {'difference': NUMBER, 'paired95': [NUMBER, 2]}}}],
+    'replicates?': {
+        'count': int, 'operators': int, 'runs': int, 'success_rate': {'': SPREAD},
+        'differences': [{'a': str, 'b': str, 'same_draws': SPREAD, 'other_draws': SPREAD,
+                         'a_not_better': NUMBER}]}}
+
+
+def is_summary(content: Any) -> bool:
+    """Say whether what was read from `summary.json` has the shape of one, and is of one piece."""
+    if not has_shape(content, SHAPE) or not content['conditions']:
+        return False
+    conditions, repeated = content['conditions'], content.get('replicates')
+    if repeated is not None and repeated['count'] >= 2 and not all(
+            set(spread) == {'mean', 'deviation', 'middle95'} for spread in (
+                *repeated['success_rate'].values(),
+                *(d[key] for d in repeated['differences'] for key in ('same_draws', 'other_draws')))):
+        return False
+    named = {reason for c in conditions for reason in c['reasons']}
+    return (named <= set(content['reasons'])
+            and all(set(c['means']) == set(c['standard_errors']) == set(conditions[0]['means'])
+                    and set(c['means_of_all_runs']) <= set(content['measures'])
+                    and 0 <= c['successes'] <= c['runs'] < 2**53 and c['runs'] > 0
+                    and set(c.get('share_of_steps', {})) == set(
+                        conditions[0].get('share_of_steps', {})) for c in conditions)
+            and all(0 <= m['digits'] < 20 for m in content['measures'].values()))
 
 
 def of_condition(condition: Condition, table: Table, seconds: float, measures: list[str]

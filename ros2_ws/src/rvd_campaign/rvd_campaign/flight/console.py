@@ -25,6 +25,7 @@ from rvd_dynamics import lifeline
 from rvd_dynamics.bad_input import BadInput, one_line
 from rvd_dynamics.diagram.display import as_data
 from rvd_dynamics.diagram.scenario import Scenario
+from rvd_dynamics.recording import whole
 from rvd_groundstation.console.forms import with_wishes
 from rvd_groundstation.console.provider import display_of
 
@@ -41,8 +42,8 @@ class ConsoleProcess:
         self.socket = folder / 'console'
         display = folder / 'display.json'       # for pages that open before the first run
         shown = display_of(scenario)
-        display.write_text(json.dumps({'display': as_data(shown.display),
-                                       'mode': shown.facts.mode}), encoding='utf-8')
+        whole.save(display, json.dumps({'display': as_data(shown.display),
+                                        'mode': shown.facts.mode}))
         command = [sys.executable, '-m', 'rvd_groundstation.console.main', '--serve',
                    '--socket', str(self.socket), '--runs', str(runs), '--bind', args.bind,
                    '--display', str(display),
@@ -135,7 +136,10 @@ def main(args: argparse.Namespace, scenario: Scenario) -> int:
         if args.out is None:
             raise CannotRun('--session needs --out DIR, the folder of all its volunteers')
         runs = Path(args.out)
-    runs.mkdir(parents=True, exist_ok=True)
+    try:
+        runs.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise CannotRun(f'cannot make the folder of the runs {runs}: {error.strerror}') from None
     all_like_ctrl_c()
     with reserved_domain() as domain, tempfile.TemporaryDirectory(prefix='rvd-') as folder:
         domain.held_for(f'the console of {runs.absolute()}')

@@ -20,10 +20,12 @@ import time
 
 from rvd_campaign.exits import CannotRun
 from rvd_dynamics.diagram.identity import LARGEST_DOMAIN
+from rvd_dynamics.given import json_in
 
 # Above 101 the ports of a domain reach into the range that Linux gives to outgoing connections.
 IDS = range(1, 102)
 FIRST_PORT, PORTS = 7400, 250           # UDP ports of domain 0, and how many each domain has
+MOST_SAID = 64 << 10                    # [B] of what a lock says: a process and a run folder
 SOCKETS = Path('/proc/net/udp')
 
 
@@ -130,11 +132,44 @@ def _folder() -> Path:
 
 def _is_ours(folder: Path) -> bool:
     try:
-        found = folder.lstat()                  # a link may lead anywhere
+        return _nobody_else_writes(folder.lstat())      # a link may lead anywhere
     except OSError:
         return False
-    writable = found.st_mode & (stat.S_IWGRP | stat.S_IWOTH)
-    return stat.S_ISDIR(found.st_mode) and found.st_uid == os.getuid() and not writable
+
+
+def _nobody_else_writes(folder: os.stat_result) -> bool:
+    writable = folder.st_mode & (stat.S_IWGRP | stat.S_IWOTH)
+    return stat.S_ISDIR(folder.st_mode) and folder.st_uid == os.getuid() and not writable
+
+
+def _opened(folder: Path, name: str, flags: int) -> int:
+    """
+    Open a file in the folder of the locks; return its descriptor.
+
+    The folder is checked again where it is opened, and the file before it is used: a link is not
+    followed, and what has a second name (a hard link) or another owner is somebody else's file,
+    put there when the folder could be written to.
+
+    Raises
+    ------
+    OSError
+        If it cannot be opened.
+    CannotRun
+        If it is not the user's own.
+    """
+    place = os.open(folder, os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW | os.O_CLOEXEC)
+    try:
+        if not _nobody_else_writes(os.fstat(place)):
+            raise CannotRun(f'{folder} must be a folder of your own: remove it')
+        file = os.open(name, flags | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC, 0o600,
+                       dir_fd=place)
+    finally:
+        os.close(place)
+    found = os.fstat(file)
+    if not (stat.S_ISREG(found.st_mode) and found.st_uid == os.getuid() and found.st_nlink == 1):
+        os.close(file)
+        raise CannotRun(f'cannot lock {folder / name}: it is no file of your own alone: remove it')
+    return file
 
 
 def _locked(folder: Path, number: int) -> Domain | None:
@@ -142,7 +177,7 @@ def _locked(folder: Path, number: int) -> Domain | None:
     path, domain = folder / str(number), Domain(number)
     domain.file = -1
     try:
-        domain.file = os.open(path, os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW | os.O_CLOEXEC, 0o600)
+        domain.file = _opened(folder, str(number), os.O_RDWR | os.O_CREAT)
         fcntl.flock(domain.file, fcntl.LOCK_EX | fcntl.LOCK_NB)
         domain.held_for('')
     except OSError as error:
@@ -157,10 +192,14 @@ def _locked(folder: Path, number: int) -> Domain | None:
 def _who_holds(path: Path) -> str:
     """Return in words who has locked a file; empty if it does not say."""
     try:
-        said = json.loads(path.read_text(encoding='utf-8'))
+        file = _opened(path.parent, path.name, os.O_RDONLY)
+        try:
+            said = json_in(os.read(file, MOST_SAID).decode(), str(path))
+        finally:
+            os.close(file)
         what = f', {said["what"]}' if said['what'] else ''
         return f' (process {said["pid"]}{what}, since {said["since"]})'
-    except (OSError, ValueError, TypeError, KeyError):      # it is just being written
+    except (OSError, CannotRun, ValueError, TypeError, KeyError):   # it is just being written
         return ''
 
 

@@ -15,9 +15,9 @@ from pathlib import Path
 from typing import Any, Callable
 
 from rvd_campaign import catalogue
-from rvd_campaign.flight import kept, verdict
+from rvd_campaign.flight import kept, room, verdict
 from rvd_dynamics.bad_input import one_line
-from rvd_dynamics.recording import drawing, reader
+from rvd_dynamics.recording import drawing, reader, whole
 from rvd_campaign.exits import (
     CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_FAILED, EXIT_FAULT, EXIT_INTERRUPTED)
 from rvd_dynamics.diagram.identity import new_run
@@ -162,13 +162,13 @@ def _empty(folder: Path) -> Path:
 def keep_scenario(run_dir: Path, scenario: Scenario) -> None:
     """Write the scenario into a new run folder, unless another run has just taken that one."""
     try:
-        with (run_dir / 'scenario.yaml').open('x', encoding='utf-8') as file:
-            file.write(scenario.dump())
+        whole.write_new(run_dir / 'scenario.yaml', scenario.dump())
     except FileExistsError:
         raise CannotRun(f'--out {run_dir} has just been taken by another run: give another '
                         'folder') from None
     except OSError as error:
         raise CannotRun(f'cannot write into the run folder {run_dir}: {error.strerror}') from None
+    room.keep(run_dir)
 
 
 class Flight:
@@ -217,6 +217,7 @@ class Flight:
                 self._watch.spin(0.1)
                 self._watch.close()
                 self._end_line()
+                room.give(self._run_dir)        # whoever could have taken it has ended
         if problem is not None:
             self.problem = problem
             print(f'rvd fly: {problem}', file=sys.stderr)

@@ -22,6 +22,7 @@ from rvd_dynamics.commands.levels import stick_fault, stick_levels, StickParams
 from rvd_dynamics.diagram.params import build, flatten
 from rvd_dynamics.diagram.ros.inputs import HELD_FOR_S
 from rvd_dynamics.diagram.scenario import load
+from rvd_dynamics.recording import whole
 from rvd_groundstation.joystick.device import Device, Reading
 from rvd_groundstation.joystick.messages import outside
 from rvd_groundstation.joystick.params import JoystickParams
@@ -93,7 +94,14 @@ def of_device(settings: JoystickParams) -> Iterator[tuple[Source, str]]:
 def of_topic(topic: str) -> Iterator[tuple[Source, str]]:
     """Yield what reads the newest Joy of a topic, and the topic's name."""
     asked_for()                                 # refused if it is no domain id
-    os.environ.setdefault('ROS_LOG_DIR', tempfile.gettempdir())     # and not ~/.ros
+    with tempfile.TemporaryDirectory(prefix='rvd-') as folder:      # of nobody else's
+        os.environ.setdefault('ROS_LOG_DIR', folder)                # and not ~/.ros
+        with _heard(topic) as found:
+            yield found
+
+
+@contextmanager
+def _heard(topic: str) -> Iterator[tuple[Source, str]]:
     import rclpy
     from rclpy.executors import ExternalShutdownException
     from rclpy.node import Node
@@ -249,7 +257,7 @@ def snippet(settings: StickParams, name: str) -> str:
 def write(path: Path, settings: StickParams, name: str) -> None:
     """Write the settings as a scenario, which has the defaults in all else."""
     try:
-        with path.open('x', encoding='utf-8') as file:
-            file.write('# A stick, as ./rvd stick has set it up.\n' + snippet(settings, name))
+        whole.write_new(path, '# A stick, as ./rvd stick has set it up.\n'
+                        + snippet(settings, name))
     except OSError as error:
         raise CannotRun(f'cannot write {path}: {error.strerror}') from None

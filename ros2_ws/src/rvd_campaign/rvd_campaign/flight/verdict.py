@@ -4,14 +4,17 @@ The verdict of a run as people read it and as `verdict.json` keeps it.
 
 import json
 import math
+import sys
 from pathlib import Path
 from typing import Any
 
+from rvd_campaign.flight import room
 from rvd_campaign.flight.kept import Kept
 from rvd_dynamics.bad_input import one_line
 from rvd_dynamics.diagram import judge
 from rvd_dynamics.diagram.judge import from_message, Judgement
 from rvd_dynamics.diagram.scenario import Scenario
+from rvd_dynamics.given import object_of
 from rvd_dynamics.link.channel import LINK_COUNTS
 from rvd_dynamics.recording import whole
 
@@ -107,13 +110,21 @@ def unknown_as_none(value: Any) -> Any:
 
 
 def write(path: Path, content: dict[str, Any]) -> None:
-    """Write `verdict.json` whole or not at all."""
-    whole.write_text(path, json.dumps(content, indent=2) + '\n')
+    """
+    Write `verdict.json` whole or not at all, into the room that was kept for it.
+
+    A disk that does not take it is said: the flight is what it was.
+    """
+    room.give(path.parent)
+    try:
+        whole.write_text(path, json.dumps(content, indent=2) + '\n')
+    except OSError as error:
+        print(f'rvd fly: no {path}: {error.strerror or error}', file=sys.stderr)
 
 
 def read(path: Path) -> dict[str, Any]:
     """Read `verdict.json`."""
-    return json.loads(path.read_text(encoding='utf-8'))
+    return object_of(path, 'verdict')
 
 
 def in_words(judged: Judgement) -> str:

@@ -7,8 +7,8 @@ that was flown and not rated, or broken off, is counted as such and left out of 
 """
 
 import csv
-import json
 from dataclasses import dataclass
+from io import StringIO
 from pathlib import Path
 from statistics import mean, median, stdev
 from typing import Any
@@ -21,6 +21,7 @@ from rvd_dynamics.diagram.judge import declared
 from rvd_dynamics.diagram.mission import find, installed
 from rvd_dynamics.diagram.run import DEFAULT_MISSION
 from rvd_dynamics.diagram.scenario import Scenario
+from rvd_dynamics.given import object_of
 from rvd_dynamics.recording import whole
 from rvd_groundstation.console.desk import RATINGS, WEIGHTS
 
@@ -59,14 +60,14 @@ def write_session_report(folder: Path) -> Path:
     flights, left_out = read_flights(folder)
     if not any(not flight['training'] for flight in flights):
         raise BadInput(f'session {folder} has no rated flight yet')
-    with whole.draft(folder / 'flights.csv', 'w', newline='', encoding='utf-8') as file:
-        writer = csv.DictWriter(file, [*BEFORE, *_measures(flights), *AFTER])
-        writer.writeheader()
-        writer.writerows(flights)
+    rows = StringIO()
+    writer = csv.DictWriter(rows, [*BEFORE, *_measures(flights), *AFTER], lineterminator='\r\n')
+    writer.writeheader()
+    writer.writerows(flights)
+    whole.save(folder / 'flights.csv', rows.getvalue())
     table = conditions(flights, list(session['conditions']))
-    report = folder / 'report.html'
-    whole.write_text(report, _page(session, table, flights, left_out, _known(folder)))
-    return report
+    return whole.save(folder / 'report.html',
+                _page(session, table, flights, left_out, _known(folder)))
 
 
 def read_flights(folder: Path) -> tuple[list[dict[str, Any]], int]:
@@ -89,15 +90,7 @@ def read_flights(folder: Path) -> tuple[list[dict[str, Any]], int]:
 
 def _object(file: Path) -> dict[str, Any]:
     """Return what a JSON file of a session holds, or refuse it by its name."""
-    try:
-        content = json.loads(file.read_text(encoding='utf-8'))
-    except OSError as error:
-        raise BadInput(f'cannot read {file}: {error.strerror}') from None
-    except ValueError as error:
-        raise BadInput(f'{file} is damaged: {error}') from None
-    if not isinstance(content, dict):
-        raise BadInput(f'{file} is damaged: it holds no object')
-    return content
+    return object_of(file, 'part of a session')
 
 
 def _flown(file: Path, verdict: dict[str, Any], ratings: dict[str, Any]) -> dict[str, Any]:

@@ -6,12 +6,15 @@ A finished run for the console's review: what the pilot saw, again, and beside i
 prints the run RUNS/NAME as JSON. The bag is put through the same `Feed` that fills the live
 page, so a review shows what was shown. The console runs this as a process of its own: the
 truth, which the ground must not know, is read outside of it. Exit codes: 0 done, 1 no such
-finished run, 2 nothing to show, with one line that says why.
+finished run, 2 nothing to show, with one line that says why, 3 a fault of this software. What of a
+damaged bag can be shown is shown; an event at its end says what cannot.
 """
 
 from functools import partial
 import os
+import resource
 import sys
+import traceback
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -20,6 +23,7 @@ from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.display import TRUTH
 from rvd_dynamics.diagram.judge import for_page, from_message
 from rvd_dynamics.recording.messages import files_of, MessageFile, Stored
+from rvd_dynamics.recording.reader import BEYOND, in_words, NO_MESSAGE
 from rvd_dynamics.recording.recording import scenario_of
 from rvd_dynamics.link.signals import FRAME
 from rvd_groundstation.console.decode import COMMANDS, link_of, SAMPLES, telemetry_of
@@ -28,6 +32,9 @@ from rvd_groundstation.console.protocol import encode
 from rvd_groundstation.console.provider import display_of, on_ground
 
 MOST_FRAMES = 900
+MOST_EVENTS = 1000
+NO_SAMPLE = (*NO_MESSAGE, ArithmeticError)      # what a message of made-up numbers leads to
+CPU_S, MEMORY = 120, 8 << 30    # [s], [B] that a review may take; a long flight takes some seconds
 SCENARIO, LINK, EVENTS, VERDICT = ('/run/scenario', '/link/back/status', '/run/events',
                                   '/run/verdict')
 
@@ -53,9 +60,19 @@ def load(runs: Path, name: str) -> str:
         raise BadInput('this run has no bag') from None
     replay = Replay(name)
     for file in files:
-        for stored in MessageFile(file):
-            replay.take(stored)
+        content = MessageFile(file)
+        try:
+            for stored in content:
+                replay.take(stored)
+        except OSError as error:
+            replay.damaged(f'{file.name} cannot be read: {error.strerror or error}')
+        for sentence in in_words(content):
+            replay.damaged(sentence)
     return encode(replay.content())
+
+
+class _NoScenario(BadInput):
+    """The scenario of a run cannot be read, so that nothing can be shown."""
 
 
 class Replay:
@@ -68,12 +85,28 @@ class Replay:
         self._truth: dict[int, dict[str, Any]] = {}
         self._frames: list[dict] = []
         self._events: list[dict] = []
+        self._damage: list[str] = []
+        self._left_out = 0
         self._verdict: dict | None = None
         self._takers: dict[str, Callable] = {}
         self._shown: frozenset[str] = frozenset()
 
+    def damaged(self, sentence: str) -> None:
+        """Note what cannot be shown."""
+        self._damage.append(sentence)
+
     def take(self, stored: Stored) -> None:
-        """Take one message, which is decoded only if it is shown."""
+        """Take one message, which is decoded only if it is shown; what is none is left out."""
+        try:
+            self._take(stored)
+        except _NoScenario:
+            raise
+        except NO_SAMPLE as error:
+            self._left_out += 1
+            if self._left_out == 1:
+                self._first = f'{stored.topic} message {stored.number}: {error}'
+
+    def _take(self, stored: Stored) -> None:
         topic, kind = stored.topic, stored.source.kind
         if topic == SCENARIO:
             self._begin(stored.message.data)
@@ -87,7 +120,7 @@ class Replay:
     def _begin(self, text: str) -> None:
         scenario, note = scenario_of(text)
         if scenario is None:
-            raise BadInput(note)
+            raise _NoScenario(note)
         feed = self._feed = Feed(display_of(scenario))
         display, signals = feed.display, on_ground(scenario.diagram)
         measured = signals[display.measured]
@@ -106,8 +139,14 @@ class Replay:
 
     def content(self) -> dict[str, Any]:
         """Return all of it."""
+        if self._left_out:
+            self.damaged(f'{self._left_out} messages left out, the first: {self._first}')
         if self._feed is None or not self._frames:
-            raise BadInput('the bag of this run holds nothing that can be shown')
+            raise BadInput(': '.join(['the bag of this run holds nothing that can be shown',
+                                      *self._damage[:1]]))
+        if self._damage:
+            self._events.append({'t': self._frames[-1]['t'], 'node': 'bag', 'code': 'DAMAGED',
+                                 'text': '; '.join(self._damage)})
         for frame in self._frames:
             if frame['k'] in self._truth:
                 truth = frame['signals'][TRUTH] = self._truth[frame['k']]
@@ -119,6 +158,7 @@ class Replay:
                 'verdict': self._verdict}
 
     def _telemetry(self, m: Any) -> None:
+        self._check_step(m)
         self._feed.telemetry(telemetry_of(m, self._feed.facts.step_s, self._width,
                                           self._feed.provider.measured))
 
@@ -128,7 +168,12 @@ class Replay:
     def _link(self, m: Any) -> None:
         self._feed.link(link_of(m))
 
+    def _check_step(self, m: Any) -> None:
+        if not 0 <= m.step <= self._feed.facts.last_step + BEYOND:
+            raise ValueError(f'step {m.step} is none of the run')
+
     def _command(self, m: Any) -> None:
+        self._check_step(m)
         self._feed.command(self._command_of(m))
         if m.step % self._every == 0:
             frame = self._feed.frame(self._feed.ladder.version)
@@ -136,12 +181,16 @@ class Replay:
             self._frames.append(frame)
 
     def _on_truth(self, m: Any) -> None:
+        self._check_step(m)
         sample = self._truth_of(m)
         if m.step % self._every == 0 or sample.parts['final']:
             self._truth[m.step] = {'k': sample.step, 't': sample.t, 'ok': sample.ok,
                                    'parts': sample.parts}
 
     def _event(self, m: Any) -> None:
+        self._check_step(m)
+        if len(self._events) >= MOST_EVENTS:
+            return
         self._feed.event(m.code, m.text)
         self._events.append({'t': m.step * self._feed.facts.step_s, 'node': m.node,
                              'code': m.code, 'text': m.text})
@@ -154,6 +203,9 @@ class Replay:
 def main(runs: str, name: str) -> int:
     """Print a run; return the exit code."""
     os.nice(10)                                 # somebody may be flying
+    for what, most in ((resource.RLIMIT_CPU, CPU_S), (resource.RLIMIT_AS, MEMORY)):
+        _, hard = resource.getrlimit(what)
+        resource.setrlimit(what, (most if hard < 0 else min(most, hard), hard))
     try:
         print(load(Path(runs), name))
     except FileNotFoundError:
@@ -162,6 +214,9 @@ def main(runs: str, name: str) -> int:
     except BadInput as error:
         print(error, file=sys.stderr)
         return 2
+    except Exception:                           # noqa: B902 - a fault of ours keeps its traceback
+        traceback.print_exc()
+        return 3
     return 0
 
 

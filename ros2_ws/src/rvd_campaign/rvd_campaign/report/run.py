@@ -5,27 +5,31 @@ No script, no request to anywhere; prints; light or dark as the reader's system 
 """
 
 from collections import Counter
-from collections.abc import Iterable
-import json
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
 from math import isfinite
 from pathlib import Path
 
+import numpy as np
 from numpy.typing import NDArray
 
 from rvd_campaign.report.figures import figures_of
 from rvd_campaign.report.page import Drawn, render
-from rvd_dynamics.bad_input import BadInput
+from rvd_dynamics.bad_input import BadInput, one_line
 from rvd_dynamics.commands import codes
 from rvd_dynamics.diagram.judge import Judged
 from rvd_dynamics.diagram.roster import SECOND_WRITER
+from rvd_dynamics.given import object_of
 from rvd_dynamics.link.channel import LINK_COUNTS
 from rvd_dynamics.recording import whole
 from rvd_dynamics.recording.bag_writer import repair
-from rvd_dynamics.recording.drawing import svg
+from rvd_dynamics.recording.drawing import Figure, svg
 from rvd_dynamics.recording.reader import read
 from rvd_dynamics.recording.recording import Recording
-from rvd_dynamics.recording.series import Commands, LinkHistory, Series, Table
+from rvd_dynamics.recording.series import Commands, LinkHistory, Series, SERIES, Table
 
+MOST_EVENTS = 1000              # rows of the table of events
+LARGEST = 1e12                  # no quantity of a run is larger; a figure of what is may fail
 YES, NO, DASH = '\u2713', '\u2717', '\u2013'
 DECIDED = {codes.BY_NOBODY: 'nobody (no valid input)', codes.BY_PILOT: 'pilot alone',
            codes.BY_AUTO: 'automatic controller alone', codes.BY_BLEND: 'pilot and automatic',
@@ -40,12 +44,13 @@ def write_report(run_dir: Path) -> Path:
     """
     Write the report of a run folder (or a bag folder) from its bag; return where it is.
 
-    A bag that was cut off is repaired first, and the report says what is missing in it.
+    A bag that was cut off is repaired first, and the report says what is missing in it, or cannot
+    be read.
 
     Raises
     ------
     ValueError
-        If there is no bag, or the page cannot be written.
+        If there is no bag or nothing in it can be read, or if the page cannot be written.
     """
     run_dir = Path(run_dir)
     folder = run_dir / 'bag' if (run_dir / 'bag').is_dir() else run_dir
@@ -57,25 +62,25 @@ def write_report(run_dir: Path) -> Path:
     home = run_dir.parent if run_dir.is_file() or folder == run_dir and run_dir.name == 'bag' \
         else run_dir
     target = home / 'report.html'
-    text = page(read(run_dir), _doubts_told(home / 'verdict.json'))
-    try:
-        whole.write_text(target, text)
-    except OSError as error:
-        raise BadInput(f'cannot write {target}: {error.strerror}') from None
-    return target
+    run = read(run_dir)
+    if run.damage and not any(run.counts.values()):
+        raise BadInput(f'{run_dir}: no report: {"; ".join(run.damage)}')
+    return whole.save(target, page(run, _doubts_told(home / 'verdict.json')))
 
 
 def _doubts_told(verdict: Path) -> list[str]:
     """Return why the flight itself said that it is not to be trusted."""
     try:
-        told = json.loads(verdict.read_text(encoding='utf-8')).get('doubts', [])
-    except (OSError, ValueError, AttributeError):       # a bag alone, or one that is not ours
+        told = object_of(verdict, 'the verdict').get('doubts', [])
+    except (BadInput, OSError):                 # a bag alone, or one that is not ours
         return []
     return [str(doubt) for doubt in told] if isinstance(told, list) else []
 
 
 def page(run: Recording, doubts: Iterable[str] = ()) -> str:
     """Return the report as HTML; `doubts`: why the flight is not to be trusted."""
+    series = _AsFarAsReadable(run)
+    run = replace(run, series=series)
     doubts = list(dict.fromkeys([*doubts, *(e.text for e in run.events
                                             if e.code == SECOND_WRITER)]))
     mark, kind = '?', 'open'
@@ -83,19 +88,89 @@ def page(run: Recording, doubts: Iterable[str] = ()) -> str:
         mark, kind = (YES, 'good') if run.verdict.success else (NO, 'bad')
     shown = run.verdict.measures if run.verdict else ()
     links = {name: link.history for name, link in run.links.items()}
+    drawn = [_drawn(name, figure, run) for name, figure in figures_of(run).items()]
+    content = dict(
+        legs=list(links), links=_link_rows(list(links.values())), decided=_decided_rows(run),
+        refused=_refused(run))
     return render(
         'run.html.j2', title=headline(run, bool(doubts)), mark=mark, kind=kind, facts=_facts(run),
-        warnings=[*(f'Not to be trusted: {doubt}.' for doubt in doubts), *_warnings(run)],
+        warnings=[*(f'Not to be trusted: {doubt}.' for doubt in doubts), *_warnings(run),
+                  *_damage(run, series), *(d for d in drawn if isinstance(d, str))],
         verdict=run.verdict, judged=run.judged,
         measures=[(m, _used(m)) for m in shown if m.known or m.limited],
-        figures=[Drawn(figure.title, svg(name, lambda: figure.draw(run)), figure.caption)
-                 for name, figure in figures_of(run).items()],
-        legs=list(links), links=_link_rows(list(links.values())), decided=_decided_rows(run),
-        refused=_refused(run),
-        events=[(f'{e.t:.1f}', e.node, e.code, e.text) for e in run.events],
+        figures=[d for d in drawn if isinstance(d, Drawn)],
+        events=_events(run),
         topics=[(topic, n, run.missing.get(topic, ''), run.lost.get(topic, 0))
                 for topic, n in run.counts.items()],
-        scenario=run.scenario_text)
+        scenario=run.scenario_text, **content)
+
+
+class _AsFarAsReadable(Mapping):
+    """The series of a run; one that cannot be read has no rows, and it is known why."""
+
+    def __init__(self, run: Recording) -> None:
+        self._series, self._kinds = run.series, run.kinds
+        self.trouble: dict[str, str] = {}
+
+    def __getitem__(self, topic: str) -> Series:
+        try:
+            return self._series[topic]
+        except BadInput as error:
+            self.trouble[topic] = str(error)
+            return SERIES[self._kinds[topic]].of([])
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._series)
+
+    def __len__(self) -> int:
+        return len(self._series)
+
+    def left_out(self) -> list[str]:
+        """Return, as sentences, what could not be read, so far."""
+        of_series = getattr(self._series, 'left_out', list)()
+        return [*of_series, *self.trouble.values()]
+
+
+def _damage(run: Recording, series: _AsFarAsReadable) -> list[str]:
+    """Return what of the bag cannot be read, as sentences with their full stop."""
+    said = dict.fromkeys([*run.damage, *series.left_out()])
+    return [f'{sentence.rstrip(".")}.' for sentence in said]
+
+
+def _drawn(name: str, figure: Figure, run: Recording) -> Drawn | str:
+    """Return a figure, or the sentence that says that the numbers of this bag allow of none."""
+    try:
+        with np.errstate(all='ignore'):
+            return Drawn(figure.title, svg(name, lambda: figure.draw(run)), figure.caption)
+    except Exception as error:                  # of matplotlib, of the figures of a mission
+        if not _is_doubtful(run):
+            raise
+        return (f'The figure {figure.title!r} cannot be drawn of these numbers '
+                f'({type(error).__name__}: {one_line(str(error))[:200]}).')
+
+
+def _is_doubtful(run: Recording) -> bool:
+    """Say whether something of a bag is damaged, or holds numbers that no run has."""
+    if run.damage or run.series.left_out():
+        return True
+    return any(_is_beyond(column) for series in run.series.values()
+               for column in vars(series).values())
+
+
+def _is_beyond(column: object) -> bool:
+    if isinstance(column, dict):
+        return any(_is_beyond(part) for part in column.values())
+    if not isinstance(column, np.ndarray) or column.dtype.kind not in 'fiu':
+        return False
+    known = column[~np.isnan(column)] if column.dtype.kind == 'f' else column
+    return bool((np.abs(known.astype(float)) > LARGEST).any())
+
+
+def _events(run: Recording) -> list[tuple[str, str, str, str]]:
+    """Return the rows of the table of events, the first ones where there are too many."""
+    rows = [(f'{e.t:.1f}', e.node, e.code, e.text) for e in run.events[:MOST_EVENTS]]
+    more = len(run.events) - len(rows)
+    return [*rows, ('', '', '', f'and {more} more')] if more else rows
 
 
 def headline(run: Recording, doubtful: bool = False) -> str:

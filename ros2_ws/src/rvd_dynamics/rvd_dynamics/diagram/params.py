@@ -354,7 +354,10 @@ def coerce(key: str, value: Any, default: Any) -> Any:
                 raise BadInput(f'{key} must be a number, got {value!r}') from None
         if isinstance(value, bool) or not isinstance(value, (int, float)):
             raise BadInput(f'{key} must be a number, got {value!r}')
-        return float(value)
+        try:
+            return float(value)
+        except OverflowError:
+            raise BadInput(f'{key} must be within 1.8e308, got {value}') from None
     if isinstance(default, int):
         if isinstance(value, bool) or not isinstance(value, int):
             raise BadInput(f'{key} must be a whole number, got {value!r}')

@@ -8,7 +8,6 @@ unknown keys are refused with the nearest known one, shared keys stand under `/*
 
 import difflib
 import re
-import stat
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
@@ -24,11 +23,9 @@ from rvd_dynamics.diagram.diagram import Diagram
 from rvd_dynamics.diagram.mission import Mission
 from rvd_dynamics.diagram.params import build, dotted, flatten, leaves
 from rvd_dynamics.diagram.run import DEFAULT_MISSION, Run
+from rvd_dynamics.given import mapping_of, MAX_DEPTH, text_of
 
 SHARED = '/**'
-MAX_BYTES = 1 << 20             # a scenario is a page; a gigabyte is an accident or an attack
-MAX_DEPTH = 20
-NOT_YAML = yaml.YAMLError, ValueError, LookupError, RecursionError      # `!!bool x` is a KeyError
 SET_AT_BRING_UP = {(SHARED, 'nodes'), ('bag_recorder', 'bag_dir')}
 
 
@@ -89,7 +86,11 @@ class Scenario:
             given = {key[len(prefix):]: value for key, value in given.items()
                      if key.startswith(prefix) and key[len(prefix):] in known}
         try:
-            return build(settings, given, label=prefix)
+            made = build(settings, given, label=prefix)
+            for key, value in given.items():
+                if isinstance(value, int) and not -2**63 <= value < 2**63:
+                    _check_fits(prefix + key, flatten(made)[key])
+            return made
         except BadInput as error:
             where = '' if section == SHARED else f'{section}: '
             raise ScenarioError(f'scenario {self.name}: {where}{error}') from None
@@ -175,6 +176,12 @@ class Scenario:
                 + yaml.dump(self.resolved(), Dumper=_Dumper, sort_keys=False))
 
 
+def _check_fits(key: str, value: Any) -> None:
+    """Refuse a whole number that a parameter of ROS cannot hold: nodes would, one by one."""
+    if isinstance(value, int):
+        raise BadInput(f'{key} must be from -2^63 to 2^63 - 1, got {value}')
+
+
 @lru_cache(maxsize=None)
 def _keys(settings: type) -> frozenset[str]:
     return frozenset(key for key, _ in leaves(settings))
@@ -243,43 +250,6 @@ def _text(dumper: _Dumper, text: str) -> Any:
 _Dumper.add_representer(str, _text)
 
 
-class _Loader(yaml.SafeLoader):
-    """
-    Refuses what a scenario never needs: anchors (bombs), keys given twice, and numbers that YAML
-    1.1 does not take as they are written: 1:30 is 90 to it, and 010 is 8.
-    """
-
-    def compose_node(self, parent: Any, index: Any) -> Any:
-        if self.check_event(yaml.events.AliasEvent):
-            raise ScenarioError('anchors and aliases are not allowed')
-        return super().compose_node(parent, index)
-
-    def construct_mapping(self, node: Any, deep: bool = False) -> dict:
-        keys = [key.value for key, _ in node.value]
-        twice = {key for key in keys if keys.count(key) > 1}
-        if twice:
-            raise ScenarioError(f'line {node.start_mark.line + 1}: key given twice: '
-                                f'{", ".join(sorted(map(str, twice)))}')
-        return super().construct_mapping(node, deep)
-
-    def construct_number(self, node: Any) -> int | float:
-        plain = node.tag.endswith(':int')
-        value = self.construct_yaml_int(node) if plain else self.construct_yaml_float(node)
-        if ':' in node.value or plain and re.match(r'[-+]?0[0-9_]', node.value):
-            raise ScenarioError(f'line {node.start_mark.line + 1}: {node.value} would be read as '
-                                f'{value}: write the number in decimal')
-        return value
-
-
-for _tag in ('int', 'float'):
-    _Loader.add_constructor(f'tag:yaml.org,2002:{_tag}', _Loader.construct_number)
-
-
-def value_of(text: str) -> Any:
-    """Return the value that a text is as YAML, read as in a scenario file."""
-    return yaml.load(text, Loader=_Loader)  # noqa: S506 - a SafeLoader
-
-
 def load(path: Path) -> Scenario:
     """
     Read and check a scenario file.
@@ -289,7 +259,11 @@ def load(path: Path) -> Scenario:
     ScenarioError
         With one line that names the file and what is wrong in it.
     """
-    return parse(text_of(path, 'scenario'), path.stem)
+    try:
+        text = text_of(path, 'scenario')
+    except BadInput as error:
+        raise ScenarioError(str(error)) from None
+    return parse(text, path.stem)
 
 
 def parse(text: str, name: str) -> Scenario:
@@ -368,37 +342,6 @@ def check_keys(name: str, mission: Mission, section: str, flat: Mapping[str, Any
                             + nearest(key, known))
 
 
-def text_of(path: Path, what: str) -> str:
-    """Return a file that people write, or refuse it in one line."""
-    try:
-        status = path.stat()
-        if stat.S_ISFIFO(status.st_mode) or stat.S_ISCHR(status.st_mode):   # without an end
-            raise ScenarioError(f'{path} is a pipe or a device: give the {what} as a file')
-        if status.st_size > MAX_BYTES:
-            raise ScenarioError(f'{path} is larger than {MAX_BYTES >> 20} MiB')
-        return path.read_text(encoding='utf-8')
-    except OSError as error:
-        raise ScenarioError(f'cannot read {what} {path}: {error.strerror}') from None
-    except UnicodeDecodeError:
-        raise ScenarioError(f'{path} is not a text file') from None
-
-
-def mapping_of(text: str, what: str) -> dict:
-    """Return the mapping that a YAML text holds, or refuse it in one line."""
-    try:
-        tree = yaml.load(text, Loader=_Loader)  # noqa: S506 - a SafeLoader
-    except ScenarioError as error:
-        raise ScenarioError(f'{what}: {error}') from None
-    except RecursionError:
-        raise ScenarioError(f'{what}: nested deeper than {MAX_DEPTH}') from None
-    except NOT_YAML as error:
-        line = ' '.join(str(error).split())
-        raise ScenarioError(f'{what} is not valid YAML: {line}') from None
-    if not isinstance(tree, dict):
-        raise ScenarioError(f'{what} is empty or not a mapping')
-    return tree
-
-
 def sections_in(text: str, what: str) -> dict[str, Any]:
     """
     Return what a parameter file holds by the names of nodes, or refuse it in one line.
@@ -406,7 +349,11 @@ def sections_in(text: str, what: str) -> dict[str, Any]:
     As in ROS, `/node` is the node `node`.
     """
     tree: dict[str, Any] = {}
-    for key, body in mapping_of(text, what).items():
+    try:
+        given = mapping_of(text, what)
+    except BadInput as error:
+        raise ScenarioError(str(error)) from None
+    for key, body in given.items():
         name = str(key) if key == SHARED else str(key).removeprefix('/')
         if name in tree:
             raise ScenarioError(f'{what}: {name} is given twice, as {name} and as /{name}')

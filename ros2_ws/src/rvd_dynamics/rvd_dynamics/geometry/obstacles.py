@@ -4,6 +4,8 @@ Spherical obstacles: what is said of them before a flight, and how near a chaser
 Frame   any; positions (x, y, z) [m] on the last axis of states, obstacles on the axis before it.
 """
 
+from math import dist
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -51,8 +53,7 @@ def rows_of(key: str, flat: tuple, count: int, of: str = 'radius_m') -> Array:
 
 def require_apart(key: str, place: Array, other: Array, least_m: float, what: str) -> None:
     """Refuse a place (3,) not more than `least_m` from another; `what` says what is there."""
-    gap = place - other
-    require(float(np.sqrt(gap @ gap)) > least_m, key, f'be more than {least_m:g} m from {what}',
+    require(dist(place, other) > least_m, key, f'be more than {least_m:g} m from {what}',
             place.tolist())
 
 

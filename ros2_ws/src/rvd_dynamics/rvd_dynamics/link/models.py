@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.diagram.params import param, require, settings
+from rvd_dynamics.given import MAX_TABLE_BYTES, text_of
 
 LONGEST_S = 1e6                 # [s] 11 days; transits beyond are refused, ns stay exact in int64
 MOST_HOLDS = 100.0              # longest transit in play-out delays: beyond 1 a frame is late
@@ -177,9 +178,8 @@ def read_transits(path: str) -> NDArray[np.float64]:
     if not path:
         raise BadInput('empirical.file must name a file of transits, got nothing')
     try:
-        with open(path, encoding='utf-8') as file:
-            lines = file.read().splitlines()
-    except (OSError, UnicodeDecodeError) as problem:
+        lines = text_of(path, 'list of transits', MAX_TABLE_BYTES).splitlines()
+    except BadInput as problem:
         raise BadInput(f'empirical.file {path} cannot be read: {problem}') from None
     transits: list[float] = []
     header_allowed = True

@@ -199,8 +199,9 @@ def repair(directory: Path) -> bool:
     """
     Complete a bag that was cut off: its end, index and `metadata.yaml`; True if that was needed.
 
-    A bag that is complete, or that a recorder is still writing, is left alone. A repaired bag
-    still says that it was not closed (metadata record `rvd_recording`).
+    A bag that is complete, or that a recorder is still writing, is left alone; so is one that is
+    damaged, since what nobody can read today somebody may want to look at. A repaired bag still
+    says that it was not closed (metadata record `rvd_recording`).
 
     Raises
     ------
@@ -209,10 +210,7 @@ def repair(directory: Path) -> bool:
     """
     repaired = False
     for path in sorted(directory.glob('*.mcap')):
-        last = None
-        for last in mcap_file.records(path):
-            pass
-        if isinstance(last, Footer):
+        if not _cut_off(path):
             continue
         handle = mcap_file.lock(path)
         if handle is None:
@@ -225,3 +223,14 @@ def repair(directory: Path) -> bool:
         finally:
             os.close(handle)
     return repaired
+
+
+def _cut_off(path: Path) -> bool:
+    """Say whether a file has no end, and is whole up to there."""
+    last, damage = None, []
+    try:
+        for last in mcap_file.records(path, damage.append):
+            pass
+    except BadInput:                            # a pipe, a device
+        return False
+    return not damage and not isinstance(last, Footer)

@@ -16,6 +16,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 import importlib
 import io
+import logging
 import os
 from pathlib import Path
 import re
@@ -118,6 +119,8 @@ def load() -> Any:
     """Return matplotlib, imported without the settings of the user or of the working folder."""
     with _LOADING:
         if 'matplotlib' not in sys.modules:
+            # of a cache that cannot be written: it does without
+            logging.getLogger('matplotlib').setLevel(logging.ERROR)
             exists = os.path.exists         # it looks for `matplotlibrc` here before all else
 
             def but_not_here(path: Any) -> bool:

@@ -12,19 +12,17 @@ import fcntl
 import os
 import struct
 from pathlib import Path
-from typing import Any, Iterable, Iterator
+from typing import Any, Iterable
 
 from mcap.data_stream import RecordBuilder
-from mcap.exceptions import EndOfFile
 from mcap.records import (
     Channel, DataEnd, Footer, Header, McapRecord, Message, Metadata, Schema)
-from mcap.stream_reader import StreamReader
 from mcap.writer import MCAP0_MAGIC, CompressionType, Writer
-import yaml
-import zstandard
 
 from rvd_dynamics.bad_input import BadInput
+from rvd_dynamics.given import value_of
 from rvd_dynamics.recording import whole
+from rvd_dynamics.recording.mcap_records import records
 from rvd_dynamics.recording.rosbag2 import Contents, Topic, dump
 
 PROFILE = 'ros2'
@@ -104,31 +102,6 @@ def lock(path: Path) -> int | None:
     return handle
 
 
-def records(path: Path, refuse_damage: bool = False) -> Iterator[McapRecord]:
-    """
-    Yield the whole records of a file, which zstd may have compressed (.zstd), the last one a `Footer` if the file is complete.
-
-    A file cut off at any byte, or damaged from some byte on, yields the records before it.
-
-    Raises
-    ------
-    ValueError
-        With `refuse_damage`, if the file is damaged rather than cut off; names it.
-    """
-    with path.open('rb') as file:
-        stream = file if path.suffix != '.zstd' else zstandard.ZstdDecompressor().stream_reader(
-            file, read_across_frames=True)
-        try:
-            yield from StreamReader(stream).records
-        except (EndOfFile, struct.error):
-            return
-        except OSError:
-            raise
-        except Exception as error:              # each decompressor has errors of its own
-            if refuse_damage:
-                raise BadInput(f'{path}: not a readable MCAP file: {error}') from None
-
-
 def rewrite(path: Path, notes: dict[str, dict[str, str]]) -> Contents:
     """
     Replace a file by one with the same messages, chunks and an index; return what it holds.
@@ -152,6 +125,8 @@ def _copy(path: Path, stream: Any, notes: dict[str, dict[str, str]]) -> Contents
     metadata: dict[str, dict[str, str]] = {}
     for record in records(path):
         if isinstance(record, Message):
+            if record.channel_id not in channels:
+                continue
             channel, topic = channels[record.channel_id]
             contents.add(topic, record.log_time)
             writer.add_message(channel, record.log_time, record.data, record.publish_time,
@@ -160,9 +135,9 @@ def _copy(path: Path, stream: Any, notes: dict[str, dict[str, str]]) -> Contents
             schemas[record.id] = (
                 writer.register_schema(record.name, record.encoding, record.data), record.name)
         elif isinstance(record, Channel) and record.id not in channels:
-            schema, kind = schemas[record.schema_id]
+            schema, kind = schemas.get(record.schema_id, (0, ''))
             topic = Topic(record.topic, kind, record.metadata.get('topic_type_hash', ''),
-                          yaml.safe_load(record.metadata.get('offered_qos_profiles', '[]')))
+                          _qualities(record.metadata.get('offered_qos_profiles', '[]')))
             contents.topics[record.topic] = topic
             channels[record.id] = (writer.register_channel(
                 record.topic, record.message_encoding, schema, record.metadata), topic)
@@ -174,3 +149,12 @@ def _copy(path: Path, stream: Any, notes: dict[str, dict[str, str]]) -> Contents
         writer.add_metadata(name, values)
     writer.finish()
     return contents
+
+
+def _qualities(text: str) -> list:
+    """Return the qualities of service in a record's metadata; none where it does not hold any."""
+    try:
+        found = value_of(text)
+    except BadInput:
+        return []
+    return found if isinstance(found, list) else []

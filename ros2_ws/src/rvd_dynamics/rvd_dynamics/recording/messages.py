@@ -6,20 +6,25 @@ as it is, or compressed by zstd as a file or message by message.
 """
 
 from collections.abc import Collection, Iterator
+from contextlib import redirect_stderr
 from functools import cached_property
+from io import StringIO
 from pathlib import Path
 from typing import Any, Callable, NamedTuple
 
 from mcap.records import Channel, Footer, Message, Metadata, Schema
 from mcap_ros2.decoder import DecoderFactory
-import zstandard
 
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.constants import NS_PER_S
-from rvd_dynamics.recording import mcap_file, sqlite_file
+from rvd_dynamics.recording import mcap_records, sqlite_file
+from rvd_dynamics.recording.limits import (
+    Damage, MAX_DEFINITION, MAX_RECORD, MOST_TOPICS, SOME, TIMES, unpacked)
 
-STORAGES = {'.mcap': mcap_file.records, '.db3': sqlite_file.records}
+STORAGES = {'.mcap': mcap_records.records, '.db3': sqlite_file.records}
 PACKED = '.zstd'                                # behind the ending of a compressed file
+MOST_FILES = 1000                               # of one bag
+MOST_SAID = 5                                   # losses of a file that are told
 ZSTD = b'\x28\xb5\x2f\xfd'                     # begins what is compressed, and no CDR
 
 
@@ -51,6 +56,8 @@ def files_of(path: Path) -> list[Path]:
              if file.suffix != PACKED or file.with_suffix('') not in found]     # unpacked beside it
     if not found:
         raise BadInput(f'{path} holds no bag: there is no .mcap or .db3 file in the folder')
+    if len(found) > MOST_FILES:
+        raise BadInput(f'{path} holds {len(found)} files of a bag; {MOST_FILES} are the most')
     return sorted(found, key=lambda file: (len(file.name), file.name))     # bag_2 before bag_10
 
 
@@ -75,7 +82,11 @@ class Source:
         schema, factory = self._schema, self._factory
         if schema is None or schema.encoding != 'ros2msg' or not schema.data:
             schema, factory = _standard(self.kind) or schema, DecoderFactory()
-        made = factory.decoder_for(self.encoding, schema)
+        if schema is not None and len(schema.data) > MAX_DEFINITION:
+            raise BadInput(f'its definition has {len(schema.data)} bytes, more than '
+                           f'{MAX_DEFINITION}')
+        with redirect_stderr(StringIO()):       # the parser prints what it cannot read
+            made = factory.decoder_for(self.encoding, schema)
         if made is None:
             raise BadInput(f'needs a ros2msg schema and cdr, has '
                            f'{self._schema.encoding if self._schema else "no"} schema and '
@@ -128,15 +139,6 @@ class Stored(NamedTuple):
         return self.source.decoded(self.data, self.number)
 
 
-def unpacked(data: bytes, source: Source) -> bytes:
-    """Return a message that was compressed by itself; raises as `Source.decoded`."""
-    try:
-        return zstandard.ZstdDecompressor().decompressobj().decompress(data)
-    except zstandard.ZstdError as error:
-        raise BadInput(f'{source.path}, {source.topic} message {source.count}: cannot be '
-                       f'unpacked: {error}') from None
-
-
 class MessageFile:
     """
     The messages of one file in its order, and what else it says, known once they are through.
@@ -144,7 +146,7 @@ class MessageFile:
     Parameters
     ----------
     path : Path
-        A file of a bag, which may be cut off, or damaged from some byte on: then it ends there.
+        A file of a bag, which may be cut off or damaged: what can be read of it is read.
     topics : collection of str, optional
         Those whose messages are wanted; by default all.
     refuse_damage : bool
@@ -156,29 +158,73 @@ class MessageFile:
         self.sources: list[Source] = []         # topics in the file, wanted or not
         self.notes: dict[str, dict[str, str]] = {}      # metadata records
         self.complete = False                   # the file has its end
-        self._path, self._topics, self._refuse_damage = path, topics, refuse_damage
+        self.damage: list[str] = []             # what cannot be read, the first MOST_SAID of it
+        self.first_ns: int | None = None        # log times of what was read: first, latest
+        self.last_ns = 0
+        self.path, self._topics, self._refuse_damage = path, topics, refuse_damage
+
+    def damaged(self, why: str) -> None:
+        """Note damage, or refuse it."""
+        if self._refuse_damage:
+            raise BadInput(f'{self.path}: not a readable {self._kind}: {why}')
+        if len(self.damage) < MOST_SAID:
+            self.damage.append(why)
+
+    @property
+    def _storage(self) -> str:
+        return storage_of(self.path.name) or '.mcap'
+
+    @property
+    def _kind(self) -> str:
+        return 'MCAP file' if self._storage == '.mcap' else 'SQLite file of rosbag2'
 
     def __iter__(self) -> Iterator[Stored]:
         factory, schemas, channels = DecoderFactory(), {}, {}
-        records = STORAGES[storage_of(self._path.name) or '.mcap']
-        for record in records(self._path, self._refuse_damage):
+        for record in STORAGES[self._storage](self.path, self.damaged):
             if isinstance(record, Message):
                 source, wanted = channels.get(record.channel_id, (None, False))
-                if source is not None:
-                    source.count += 1
+                if source is None:
+                    self.damaged(f'a message of no topic that is known ({record.channel_id})')
+                    continue
+                source.count += 1
+                self.last_ns = max(self.last_ns, record.log_time)
+                if self.first_ns is None:
+                    self.first_ns = record.log_time
                 if wanted:
-                    data = record.data
-                    if data[:4] == ZSTD:
-                        data = unpacked(data, source)
-                    yield Stored(source, source.count, data, record.log_time,
-                                 record.publish_time)
+                    data = self._plain(record.data, source)
+                    if data is not None:
+                        yield Stored(source, source.count, data, record.log_time,
+                                     record.publish_time)
             elif isinstance(record, Schema):
                 schemas[record.id] = record
             elif isinstance(record, Channel) and record.id not in channels:
-                source = Source(self._path, record, schemas.get(record.schema_id), factory)
+                if len(channels) >= MOST_TOPICS:
+                    self.damaged(f'more than {MOST_TOPICS} topics')
+                    return
+                source = Source(self.path, record, schemas.get(record.schema_id), factory)
                 self.sources.append(source)
                 channels[record.id] = (
                     source, self._topics is None or source.topic in self._topics)
             elif isinstance(record, Metadata):
                 self.notes[record.name] = record.metadata
             self.complete = isinstance(record, Footer)
+
+    def _plain(self, data: bytes, source: Source) -> bytes | None:
+        """Return a message, unpacked where it was compressed by itself; None if it cannot be."""
+        if data[:4] != ZSTD:
+            return data
+        most = min(self._unpacking, MAX_RECORD)
+        try:
+            made = unpacked('zstd', data, most)
+        except Damage as error:
+            if 'unpacks to more' in str(error):
+                self._unpacking -= most         # that is what it took to find out
+            self.damaged(f'{source.topic} message {source.count}: {error}')
+            return None
+        self._unpacking -= len(made)
+        return made
+
+    @cached_property
+    def _unpacking(self) -> int:
+        """How many bytes messages that are compressed by themselves may still unpack to."""
+        return SOME + TIMES * self.path.stat().st_size

@@ -81,6 +81,7 @@ class Recording:
     counts: dict[str, int]                      # topic -> messages in the bag
     missing: dict[str, int]                     # topic -> firings of the run not in the bag
     lost: dict[str, int] = field(default_factory=dict)  # topic -> received, but not stored
+    damage: tuple[str, ...] = ()                # what of the bag cannot be read, as sentences
 
     def of(self, signal: Signal | str) -> Any:
         """

@@ -12,6 +12,8 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, IO
 
+from rvd_dynamics.bad_input import BadInput
+
 
 @contextmanager
 def draft(path: Path, mode: str = 'wb', **opening: Any) -> Iterator[IO]:
@@ -32,7 +34,8 @@ def draft(path: Path, mode: str = 'wb', **opening: Any) -> Iterator[IO]:
     """
     part = path.with_name(f'{path.name}.draft')
     try:
-        with part.open(mode, **opening) as file:
+        part.unlink(missing_ok=True)            # of a process that was killed, or a planted link
+        with open(part, mode, opener=_new, **opening) as file:
             yield file
             file.flush()
             os.fsync(file.fileno())
@@ -43,10 +46,41 @@ def draft(path: Path, mode: str = 'wb', **opening: Any) -> Iterator[IO]:
     _sync_folder(path.parent)
 
 
+def _new(path: str, flags: int) -> int:
+    """Open a file that is not there yet: what somebody has put in its place is not written to."""
+    return os.open(path, flags | os.O_EXCL | os.O_NOFOLLOW | os.O_CLOEXEC, 0o666)
+
+
 def write_text(path: Path, text: str) -> None:
     """Write a text file, UTF-8; errors as `draft`."""
     with draft(path, 'w', encoding='utf-8') as file:
         file.write(text)
+
+
+def save(path: Path, text: str) -> Path:
+    """Write a text file for a user, and return where it is; BadInput if it cannot be written."""
+    try:
+        write_text(path, text)
+    except OSError as error:
+        raise BadInput(f'cannot write {path}: {error.strerror or error}') from None
+    return path
+
+
+def write_new(path: Path, text: str) -> None:
+    """
+    Write a text file that must not be there yet, UTF-8; errors as `draft`.
+
+    Raises
+    ------
+    FileExistsError
+        If somebody has just made it: of two who want it one gets it.
+    """
+    os.close(_new(str(path), os.O_WRONLY | os.O_CREAT))     # the name is ours from here on
+    try:
+        write_text(path, text)
+    except BaseException:
+        path.unlink(missing_ok=True)
+        raise
 
 
 def _sync_folder(folder: Path) -> None:

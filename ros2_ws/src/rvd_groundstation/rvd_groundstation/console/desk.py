@@ -24,7 +24,7 @@ from typing import Any
 
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.display import MODES
-from rvd_dynamics.diagram.scenario import mapping_of, text_of
+from rvd_dynamics.given import mapping_of, object_of, text_of
 from rvd_dynamics.recording import whole
 
 TLX = ('mental', 'physical', 'temporal', 'performance', 'effort', 'frustration')
@@ -176,7 +176,10 @@ class Desk:
         self._reason = ''                       # the judge's, empty before the verdict
         self._verdict: dict[str, Any] = {}      # of it: success and words, for the page
         self._rest_until = 0.0
-        folder.mkdir(parents=True, exist_ok=True)
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise BadInput(f'cannot make the folder {folder}: {error.strerror}') from None
         _write(folder / 'session.json', {**session.__dict__, 'scales': TLX})
 
     @property
@@ -207,7 +210,8 @@ class Desk:
         Raises
         ------
         BadInput
-            With a short code when it does not fit the stage or a rating is incomplete.
+            With a short code when it does not fit the stage or a rating is incomplete; with a
+            sentence when the disk does not take it: the stage is then what it was.
         """
         act = content.get('act')
         if act == 'begin' and self._stage in ('door', 'done'):
@@ -311,7 +315,7 @@ class Desk:
     def _weights(self) -> dict[str, dict[str, int]]:
         """Return the weights of this volunteer by condition, as far as they were asked."""
         file = self._folder / self.pseudonym / WEIGHTS
-        return json.loads(file.read_text(encoding='utf-8')) if file.is_file() else {}
+        return object_of(file, 'table of weights') if file.is_file() else {}
 
     def _write(self, harper: dict, tlx: dict) -> None:
         flight = self._plan[self._at]
@@ -333,4 +337,4 @@ class Desk:
 
 
 def _write(file: Path, content: dict) -> None:
-    whole.write_text(file, json.dumps(content, indent=2) + '\n')
+    whole.save(file, json.dumps(content, indent=2) + '\n')

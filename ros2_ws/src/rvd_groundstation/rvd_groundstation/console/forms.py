@@ -9,7 +9,8 @@ import yaml
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.display import Form, Setting
 from rvd_dynamics.diagram.params import leaves
-from rvd_dynamics.diagram.scenario import Scenario, sections_of, value_of
+from rvd_dynamics.diagram.scenario import Scenario, sections_of
+from rvd_dynamics.given import value_of
 
 
 def setting(scenario: Scenario, section: str, key: str, label: str, unit: str = '') -> Setting:
@@ -58,7 +59,7 @@ def _read(field: Setting, text: str) -> object:
     several = ',' in field.value
     try:
         value = value_of(f'[{text}]' if several else text)
-    except (yaml.YAMLError, ValueError, LookupError, RecursionError):
+    except BadInput:
         value = None
     if value is None or value == '' or (not several and isinstance(value, (list, dict))):
         raise BadInput(f'{field.key} must be {"numbers" if several else "a value"} like '

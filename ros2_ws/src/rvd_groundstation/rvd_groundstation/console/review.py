@@ -6,16 +6,18 @@ A run's bag holds the truth, which the ground must not know: it is read by a pro
 """
 
 import asyncio
-import json
+from contextlib import suppress
 import sys
 from pathlib import Path
 from typing import Any
 
 from rvd_dynamics.bad_input import BadInput
+from rvd_dynamics.given import object_of
 
 READER = (sys.executable, '-m', 'rvd_campaign.report.replay')
 MOST_RUNS = 200                 # rows of the list, newest first
 DEEPEST = 3                     # folders below the runs folder that are looked through
+MAX_VERDICT_BYTES = 1 << 20      # [B] of a verdict.json: a few kilobytes
 SHOWN = ('reason', 'success', 'mode', 'seed', 'operator', 'scenario')
 
 
@@ -26,12 +28,13 @@ def listing(runs: Path | None) -> list[dict[str, Any]]:
         return files
     for depth in range(1, DEEPEST + 1):
         for file in runs.glob('/'.join(['*'] * depth + ['verdict.json'])):
-            files.append((file.stat().st_mtime, file))
+            with suppress(OSError):             # a link that leads nowhere, or gone meanwhile
+                files.append((file.stat().st_mtime, file))
     made = []
     for _, file in sorted(files, reverse=True)[:MOST_RUNS]:
         try:
-            content = json.loads(file.read_text(encoding='utf-8'))
-        except (OSError, ValueError):
+            content = object_of(file, 'verdict', MAX_VERDICT_BYTES)
+        except BadInput:
             continue
         made.append({'name': str(file.parent.relative_to(runs)),
                      **{key: content.get(key) for key in SHOWN}})
@@ -58,5 +61,8 @@ async def load(runs: Path | None, name: str) -> bytes:
     if reader.returncode == 1:
         raise FileNotFoundError(name)
     if reader.returncode != 0:
-        raise BadInput(complaint.decode(errors='replace').strip().rsplit('\n', 1)[-1])
+        words = complaint.decode(errors='replace').strip().rsplit('\n', 1)[-1]
+        raise BadInput(words if reader.returncode > 0 and words else
+                       f'its reader was ended by signal {-reader.returncode}: the bag takes too '
+                       'long or too much memory')
     return body

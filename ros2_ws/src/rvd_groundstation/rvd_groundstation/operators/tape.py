@@ -18,10 +18,8 @@ was recorded is played, as far as it goes.
 from array import array
 from bisect import bisect_right
 import codecs
-import csv
 from dataclasses import dataclass
 from decimal import Decimal
-from io import StringIO
 from math import isfinite
 from pathlib import Path
 import shlex
@@ -29,6 +27,7 @@ from typing import TYPE_CHECKING
 
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.constants import NS_PER_S
+from rvd_dynamics.given import bytes_of, rows_of
 
 if TYPE_CHECKING:
     from rvd_dynamics.recording.messages import Source
@@ -140,29 +139,25 @@ def fault(stamps_ns: list[int]) -> int:
 
 def _read_csv(path: Path) -> Tape:
     samples, stamps, axes = _Samples(), [], -1
-    rows = csv.reader(StringIO(_text_of(path), newline=''))
-    try:
-        for row in rows:
-            where = f'{path}, line {rows.line_num}'
-            if not row or row[0].lstrip().startswith('#'):
-                continue
-            if axes < 0:
-                header = [name.strip() for name in row]
-                axes = _axes_of(header, where)
-                continue
-            if len(row) != len(header):
-                raise BadInput(f'{where}: {len(header)} columns expected, got {len(row)}')
-            if not abs(_number(row[0], 't_s', where)) <= LATEST_S:
-                raise BadInput(f'{where}: t_s must be within {LATEST_S:g} s, got {row[0]}')
-            stamps.append(int((Decimal(row[0].strip()) * NS_PER_S).to_integral_value()))
-            samples.add(
-                where,
-                tuple(array('f', [_number(text, name, where)])[0]       # as a Joy carries it
-                      for name, text in zip(header[1:axes + 1], row[1:axes + 1])),
-                tuple(_button(text, name, where)
-                      for name, text in zip(header[axes + 1:], row[axes + 1:])))
-    except csv.Error as error:
-        raise BadInput(f'{path}, line {rows.line_num}: not CSV: {error}') from None
+    for number, row in rows_of(_text_of(path), str(path)):
+        where = f'{path}, line {number}'
+        if not row or row[0].lstrip().startswith('#'):
+            continue
+        if axes < 0:
+            header = [name.strip() for name in row]
+            axes = _axes_of(header, where)
+            continue
+        if len(row) != len(header):
+            raise BadInput(f'{where}: {len(header)} columns expected, got {len(row)}')
+        if not abs(_number(row[0], 't_s', where)) <= LATEST_S:
+            raise BadInput(f'{where}: t_s must be within {LATEST_S:g} s, got {row[0]}')
+        stamps.append(int((Decimal(row[0].strip()) * NS_PER_S).to_integral_value()))
+        samples.add(
+            where,
+            tuple(array('f', [_number(text, name, where)])[0]       # as a Joy carries it
+                  for name, text in zip(header[1:axes + 1], row[1:axes + 1])),
+            tuple(_button(text, name, where)
+                  for name, text in zip(header[axes + 1:], row[axes + 1:])))
     if axes < 0:
         raise BadInput(f'{path}: the tape has no header t_s,axis_0,...,button_0,...')
     if not stamps:
@@ -172,7 +167,7 @@ def _read_csv(path: Path) -> Tape:
 
 def _text_of(path: Path) -> str:
     """Return a CSV file as text without a byte-order mark, or refuse it by its encoding."""
-    data = path.read_bytes()
+    data = bytes_of(path, 'tape')
     if data.startswith(MARKS) or b'\0' in data[:64]:
         raise BadInput(
             f'{path}: the tape is UTF-16 or binary, not UTF-8: save it as "CSV UTF-8", or convert '
@@ -225,10 +220,14 @@ def _read_bag(path: Path, topic: str) -> Tape:
         content = MessageFile(file, {topic}, refuse_damage=True)
         for stored in content:
             _check_type(file, stored.source)
-            joy = stored.message
-            samples.add(f'{file}, {topic} message {stored.number}', tuple(joy.axes),
-                        tuple(joy.buttons))
-            stamps.append(stamp_ns(joy.header.stamp))
+            where, joy = f'{file}, {topic} message {stored.number}', stored.message
+            try:
+                axes, buttons = tuple(map(float, joy.axes)), tuple(map(int, joy.buttons))
+                stamps.append(stamp_ns(joy.header.stamp))
+            except (AttributeError, TypeError, ValueError):     # by the bag's own definition
+                raise BadInput(f'{where}: the bag defines {MESSAGE} otherwise than ROS does'
+                               ) from None
+            samples.add(where, axes, buttons)
             logged.append(stored.log_ns)
         for source in content.sources:          # also one without messages
             if source.topic == topic:

@@ -16,6 +16,7 @@ from rvd_dynamics.diagram import scenario as scenarios
 from rvd_dynamics.diagram.identity import own_run
 from rvd_dynamics.diagram.params import dotted
 from rvd_dynamics.diagram.scenario import check_keys, nearest, Scenario, SHARED
+from rvd_dynamics.given import text_of, value_of
 
 OF_THE_PROCESS = ('group',)             # parameters that are no part of the scenario
 
@@ -66,7 +67,7 @@ class Arguments:
         """Return what the parameter files say, by section and dotted key; a later file wins."""
         tree: dict[str, dict[str, Any]] = {}
         for file in self.files:
-            text = scenarios.text_of(file, 'parameter file')
+            text = text_of(file, 'parameter file')
             for name, body in scenarios.sections_in(text, str(file)).items():
                 if name not in (SHARED, self.name):         # of another node: its own business
                     values = body.get('ros__parameters') if isinstance(body, dict) else None
@@ -91,7 +92,7 @@ class Arguments:
 
     def text(self) -> str:
         """Return the text of the first parameter file, empty when there is none."""
-        return self.files[0].read_text(encoding='utf-8') if self.files else ''
+        return text_of(self.files[0], 'parameter file') if self.files else ''
 
 
 def parsed(argv: list[str]) -> Arguments:
@@ -118,11 +119,9 @@ def parsed(argv: list[str]) -> Arguments:
                 raise BadInput(f'{flag} must be followed by NAME:=VALUE, got {word!r}')
             node, _, key = key.rpartition(':')
             try:
-                given = scenarios.value_of(value)
+                given = value_of(value)
             except BadInput as error:
                 raise BadInput(f'{flag} {word}: {error}') from None
-            except scenarios.NOT_YAML:
-                raise BadInput(f'{flag} {word}: the value is not valid YAML') from None
             if key in OF_THE_PROCESS:
                 process[key] = given
             else:
