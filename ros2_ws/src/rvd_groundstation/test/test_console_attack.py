@@ -283,7 +283,7 @@ def test_what_is_no_http_is_answered_counted_and_not_printed(printed):
         async with House() as house, house.socket() as pilot:
             for n, (data, status) in enumerate(bad(house)):
                 before = house.server.door.refused.total()
-                answer = await say(house, data, 1.5)
+                answer = await say(house, data, 0.4 if status is None else 5.0)
                 if status is not None:
                     assert answer[9:12] == b'%d' % status, (n, data[:60], answer[:100])
                 if answer:

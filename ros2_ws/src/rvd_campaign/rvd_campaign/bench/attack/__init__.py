@@ -30,11 +30,16 @@ SHOWN = 5                       # failures of a kind that are printed; all are i
 
 @dataclass
 class Outcome:
-    """What came of a case: how often what happened, and what should not have."""
+    """
+    What came of a case: how often what happened, and what should not have.
+
+    `attacked` is how many of the kind's unit it was; None: as many as every case is.
+    """
 
     counts: Counter[str] = field(default_factory=Counter)
     failures: list[str] = field(default_factory=list)       # one line each
     values: dict[str, list[float]] = field(default_factory=dict)
+    attacked: int | None = None
 
 
 Case = Callable[[int], Outcome]
@@ -109,27 +114,27 @@ def run(chosen: Kind, count: int, seed: int, keep: Path) -> dict[str, Any]:
     counts: Counter[str] = Counter()
     failures: list[dict[str, Any]] = []
     values: dict[str, list[float]] = {}
-    begun, shown = time.monotonic(), time.monotonic()
-    cases, done, interrupted = -(-count // chosen.per_case), 0, False
+    begun = shown = time.monotonic()
+    done, interrupted = 0, False
     try:
         with chosen.open(keep) as case:
-            for number in range(seed, seed + cases):
-                outcome = case(number)
-                done += 1
+            while done < count:
+                outcome = case(seed)
+                done += chosen.per_case if outcome.attacked is None else outcome.attacked
                 counts.update(outcome.counts)
                 for name, some in outcome.values.items():
                     values.setdefault(name, []).extend(some)
-                failures += [{'seed': number, 'what': one_line(what), 'again':
-                              f'./rvd bench attack {chosen.name} --seed {number} --count 1'}
+                failures += [{'seed': seed, 'what': one_line(what), 'again':
+                              f'./rvd bench attack {chosen.name} --seed {seed} --count 1'}
                              for what in outcome.failures]
+                seed += 1
                 if time.monotonic() - shown > SHOW_S:
                     shown = time.monotonic()
-                    print(f'  {done * chosen.per_case:,} of {cases * chosen.per_case:,} '
-                          f'{chosen.unit} in {shown - begun:.0f} s, {len(failures)} failures',
-                          flush=True)
+                    print(f'  {done:,} of {count:,} {chosen.unit} in {shown - begun:.0f} s, '
+                          f'{len(failures)} failures', flush=True)
     except KeyboardInterrupt:
         interrupted = True
-    return {'count': done * chosen.per_case, 'unit': chosen.unit, 'seed': seed,
+    return {'count': done, 'unit': chosen.unit, 'next_seed': seed,
             'counts': dict(counts), 'failures': failures, 'interrupted': interrupted,
             'values': {name: _spread(some) for name, some in values.items()},
             'wall_s': round(time.monotonic() - begun, 1)}

@@ -36,7 +36,8 @@ LONGEST = 70_000                # [bytes] longer than any buffer along the way
 LARGE = (0, 1, 127, 128, 255, (1 << 16) - 1, 1 << 31, 1 << 32, 1 << 62, (1 << 63) - 1)
 FLOATS = (float('nan'), float('inf'), float('-inf'), 1e308, -1e308, 5e-324)
 # One scenario for each mission, and each command form, that has a link.
-SCENARIOS = ('paper', 'rough_link', 'docking_delay', 'tether_delay')
+SCENARIOS = ('paper', 'rough_link', 'docking_delay', 'tether_delay', 'tether', 'ellipse',
+             'obstacles', 'attitude')
 
 
 def attack() -> Kind:
@@ -89,15 +90,18 @@ def legs_of(scenario: Scenario, events: list) -> list[Leg]:
     return found
 
 
-def guard_of(scenario: Scenario) -> Any:
-    """Return the block that writes the thrust."""
-    block = scenario.diagram.writer_of[scenario.diagram.thrust]
+def guard_of(scenario: Scenario, arrival: Any) -> Any:
+    """Return the step of the block that reads what comes up, and nothing else; None: there is none."""
+    block = next((block for block in scenario.diagram.blocks
+                  if [read.signal.name for read in block.reads.values()] == [arrival.name]), None)
+    if block is None:
+        return None
     own = {'run': scenario.run, 'batch': (), 'block': block, 'runs': [scenario.run.run],
            'steps': scenario.run.last_step + 1, 'abort_step': None, 'wanted': frozenset()}
     if block.settings:
         own['settings'] = scenario.settings(block.section)
     return made(block.make, lambda name: own[name] if name in own else scenario.part(name),
-                block.name)
+                block.name).step
 
 
 def volley(scenario: Scenario, seed: int) -> Outcome:
@@ -119,7 +123,7 @@ def _fire(scenario: Scenario, leg: Leg, rng: Random, outcome: Outcome) -> None:
     from rvd_dynamics.diagram.ros.codecs import FrameOfLink
     from rvd_interfaces.msg import LinkFrame
     run, hostile = scenario.run, Hostile(leg, scenario, rng)
-    guard = guard_of(scenario) if leg.form is not None else None
+    guard = guard_of(scenario, leg.receiver.signal) if leg.form is not None else None
     steps = min(run.last_step + 1, VOLLEY)
     share = -(-VOLLEY // (2 * steps))           # hostile ones of a step; there are two legs
     left, ours, spent = VOLLEY // 2, {}, set()
@@ -154,7 +158,7 @@ def _fire(scenario: Scenario, leg: Leg, rng: Random, outcome: Outcome) -> None:
             if value.received and leg.form is not None:
                 hostile.accepted = leg.receiver._gate.accepted_sequence
         if guard is not None:
-            _check_thrust(leg, guard.step(k, arrival))
+            _check_thrust(leg, guard(k, arrival))
     outcome.counts['of the ground, accepted'] += len(spent)
 
 
@@ -196,8 +200,11 @@ class Hostile:
             state = np.array([self._rng.uniform(-100.0, 100.0) for _ in
                               range(len(np.ravel(value[0])))]).reshape(np.shape(value[0]))
             return value._replace(**{value._fields[0]: state})
-        wanted = [self._rng.gauss(0.0, 0.1) for _ in self._leg.form.neutral]
-        return value._replace(command=self._leg.form.quantise(np.array(wanted)))
+        command, form = self._leg.form.neutral, self._leg.form
+        if hasattr(form, 'quantise'):           # an alphabet of thrusts, else of orders
+            made = form.quantise(np.array([self._rng.gauss(0.0, 0.1) for _ in command]))
+            command = made if form.legal(tuple(made.tolist())) else command
+        return value._replace(command=command)
 
     def seen(self, payload: bytes) -> None:
         """Be told a frame that was sent: to be sent again."""
@@ -212,16 +219,16 @@ class Hostile:
         """Return a hostile frame beside the link: any envelope, hostile bytes, or old ones."""
         from rvd_dynamics.diagram.ros.codecs import FrameOfLink
         rng, whole = self._rng, lambda: self._whole(0, (1 << 64) - 1)
-        again = self._leg.form is not None and rng.random() < 0.1 and len(self._old) > 1
+        again = rng.random() < 0.1
         payload = rng.choice(self._old) if again else self.payload(k)
-        if again and not self._is_spent(payload):
+        if again and not self._is_spent(payload):       # still on its way: it would be in time
             payload = payload[:-1]
         return FrameOfLink(whole(), whole(), *(self._whole(-1 << 63, (1 << 63) - 1)
                                                for _ in range(3)),
                            rng.random() < 0.02, rng.random() < 0.5, payload)
 
     def _is_spent(self, payload: bytes) -> bool:
-        return HEAD.unpack(payload[:HEAD.size])[3] <= self.accepted
+        return self._leg.form is None or HEAD.unpack(payload[:HEAD.size])[3] <= self.accepted
 
     def _whole(self, low: int, high: int) -> int:
         rng = self._rng
