@@ -53,7 +53,7 @@ class Plan(NamedTuple):
 def attack() -> Kind:
     """Return this kind."""
     return Kind('kills', 'signals to the processes of a flight, each form of processes', 'flights',
-                200, 3, _open, all=('victim named', 'bag readable'),
+                200, 3, _open, all=('victim named, or unharmed', 'bag readable'),
                 zero=('orphans', 'not ended by itself'))
 
 
@@ -98,20 +98,21 @@ def _flown(scenario: Scenario, plan: Plan, seed: int, folder: Path, keep: Path
     outcome = Outcome()
     with Flying(folder, SCENARIO, '--pace', plan.pace, '--processes', plan.processes
                 ) as flying:
-        if not _sent(flying, plan):
+        ignored = _sent(flying, plan)
+        if ignored is None:
             return None
         code = flying.wait(LIMIT_S)
-        if code in (0, 1):                      # it was over, or flown to its end all the same
-            survived = plan.number is not signal.SIGSTOP and _names(scenario, plan, flying.said())
-            if not survived:
-                return None
         said = flying.said()
+        named = _names(scenario, plan, said)
+        if code in (0, 1) and not named and not ignored:
+            return None                         # it was over
         bad = []
         if code is None:
             bad.append('no end')
             outcome.counts['not ended by itself'] += 1
-        if _names(scenario, plan, said):
-            outcome.counts['victim named'] += 1
+        if named or ignored and code in (0, 1):
+            outcome.counts['victim named, or unharmed'] += 1
+            outcome.counts['  of which unharmed: it ignores the signal'] += not named
         else:
             bad.append(f'not named: {last_line(said)}')
         left = flying.orphans() if code is not None else []
@@ -129,16 +130,32 @@ def _flown(scenario: Scenario, plan: Plan, seed: int, folder: Path, keep: Path
     return outcome
 
 
-def _sent(flying: Flying, plan: Plan) -> bool:
-    """Wait for the moment and send the signal; say whether there was somebody to get it."""
+def _sent(flying: Flying, plan: Plan) -> bool | None:
+    """
+    Wait for the moment and send the signal; say whether it is ignored.
+
+    None if there was nobody to get it. A shell starts what it starts in the background with a
+    SIGINT that is ignored: a Ctrl-C is for `fly` alone.
+    """
     pid = flying.until(lambda: _pid(flying, plan.victim), STARTED_S)
     if pid is None:
-        return False
+        return None
     if plan.in_flight and not flying.until(flying.flies, STARTED_S):
-        return False
+        return None
     flying.until(lambda: False, plan.after_s)
-    return flying.process.poll() is None and _pid(flying, plan.victim) == pid and send(
-        pid, plan.number)
+    if flying.process.poll() is not None or _pid(flying, plan.victim) != pid:
+        return None
+    ignored = _ignores(pid, plan.number)
+    return ignored if send(pid, plan.number) else None
+
+
+def _ignores(pid: int, number: int) -> bool:
+    try:
+        status = Path(f'/proc/{pid}/status').read_text(encoding='ascii', errors='replace')
+    except OSError:
+        return False
+    mask = next((line.split()[1] for line in status.splitlines() if line.startswith('SigIgn:')), '0')
+    return int(mask, 16) >> number - 1 & 1 == 1
 
 
 def _pid(flying: Flying, name: str) -> int | None:

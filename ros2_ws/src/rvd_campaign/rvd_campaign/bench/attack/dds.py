@@ -1,0 +1,114 @@
+"""
+A stranger's frames over DDS into a flight in progress: no node ends of them, none is obeyed.
+
+Real processes: `fly`, and beside it a publisher (`publisher.py`) in the same domain that writes on
+every topic of frames, and mutated messages on the others of the ring. A second writer ends the
+flight, as it should, so a case is one flight, and as many messages as reach it until then.
+"""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+import os
+from pathlib import Path
+import re
+import subprocess
+import sys
+import tempfile
+
+from rvd_campaign.bench.attack import Case, Kind, Outcome
+from rvd_campaign.bench.attack.flights import last_line
+from rvd_campaign.bench.attack.flying import Flying
+from rvd_campaign.flight.domain import reserved_domain
+from rvd_dynamics.bad_input import BadInput
+from rvd_dynamics.diagram.diagram import GROUPINGS
+
+SCENARIO = 'paper'
+PACES = ('lockstep', '10')
+EACH = 10_000                   # messages that are sent at most in a case
+BEGUN_S = 120.0                 # [s] wall time in which the flight has begun
+SENT_S = 60.0                   # [s] wall time for the publisher
+LIMIT_S = 120.0                 # [s] wall time in which `fly` has ended
+# What `fly` says of a node that ended by itself.
+ENDED = re.compile(r'(\S+ (?:ended with code \d+|was ended by signal \d+))')
+
+
+def attack() -> Kind:
+    """Return this kind."""
+    return Kind('dds', 'frames and messages of a stranger over DDS into a flight', 'messages',
+                100_000, 2000, _open, EACH,
+                zero=('nodes ended', 'accepted', 'no end', 'orphans'))
+
+
+@contextmanager
+def _open(keep: Path) -> Iterator[Case]:
+    with tempfile.TemporaryDirectory(prefix='rvd-attack-') as top:
+        yield lambda seed: one(seed, Path(top) / f'{seed}', keep)
+
+
+def one(seed: int, folder: Path, keep: Path) -> Outcome:
+    """Attack one flight."""
+    outcome = Outcome(attacked=0)
+    form, pace = GROUPINGS[seed % len(GROUPINGS)], PACES[seed // len(GROUPINGS) % len(PACES)]
+    before = os.environ.pop('ROS_DOMAIN_ID', None)      # a flight of its own
+    try:
+        with reserved_domain() as domain:
+            number = int(domain)
+    finally:
+        if before is not None:
+            os.environ['ROS_DOMAIN_ID'] = before
+    with Flying(folder, SCENARIO, '--pace', pace, '--processes', form, domain=number) as flying:
+        if not flying.until(flying.flies, BEGUN_S):
+            outcome.failures.append(f'{form}, {pace}: the flight did not begin: '
+                                    f'{last_line(flying.said())}')
+            outcome.attacked = EACH
+            return outcome
+        outcome.attacked = _send(flying, number, seed)
+        code = flying.wait(LIMIT_S)
+        outcome.counts[f'exit code {code}'] += 1
+        bad = [] if code is not None else ['no end']
+        outcome.counts['no end'] += code is None
+        ended = sorted(set(ENDED.findall(flying.said())))
+        ended += [f'{name} has a traceback' for name, text in flying.logs().items()
+                  if 'Traceback (most recent call last)' in text]
+        outcome.counts['nodes ended'] += len(ended)
+        obeyed = _obeyed(flying.run)
+        outcome.counts['accepted'] += len(obeyed)
+        left = flying.orphans() if code is not None else []
+        outcome.counts['orphans'] += len(left)
+        bad += [*ended, *obeyed, *(f'left: {one}' for one in left)]
+        if outcome.attacked == 0:
+            bad.append('nothing reached it')
+        if bad:
+            place = flying.kept(keep / f'attack-dds-{seed}')
+            outcome.failures.append(f'{form}, {pace}: {"; ".join(bad)} (kept in {place})')
+    outcome.attacked = max(outcome.attacked, 1)
+    return outcome
+
+
+def _send(flying: Flying, domain: int, seed: int) -> int:
+    """Let the publisher write into the flight; return how many messages it has sent."""
+    done = subprocess.run(
+        [sys.executable, '-m', 'rvd_campaign.bench.attack.publisher',
+         str(flying.run / 'scenario.yaml'), str(seed), str(EACH)], timeout=SENT_S + 30.0,
+        capture_output=True, text=True, check=False, cwd=flying.folder,
+        env={**os.environ, 'ROS_DOMAIN_ID': str(domain)})
+    words = done.stdout.split()
+    return int(words[-1]) if words and words[-1].isdigit() else 0
+
+
+def _obeyed(run: Path) -> list[str]:
+    """
+    Return the commands that the guard accepted in the bag and the ground never sent.
+
+    The stranger writes no command of the ground on `/ground/command`: what stands there is its.
+    """
+    from rvd_dynamics.recording.reader import read
+    try:
+        series = read(run).series
+        ground, thrust = series['/ground/command'], series['/onboard/thruster_command']
+    except (BadInput, LookupError):
+        return []
+    sent = {int(n): tuple(levels) for n, levels in zip(ground.sequence, ground.levels)}
+    return [f'command {int(n)} {tuple(levels)} was never sent'
+            for n, levels, valid in zip(thrust.sequence, thrust.levels, thrust.valid)
+            if valid and n > 0 and sent.get(int(n)) != tuple(levels)]
