@@ -22,6 +22,7 @@ from rvd_dynamics.bad_input import one_line
 from rvd_campaign.bench import processes
 from rvd_campaign.exits import (
     CannotRun, check_file, EXIT_DONE, EXIT_FAILED, EXIT_INTERRUPTED)
+from rvd_campaign.interrupts import all_like_ctrl_c
 
 KINDS = ('frames', 'messages', 'dds', 'bags', 'texts', 'kills', 'flights')
 SHOW_S = 10.0                   # [s] wall time between two lines of progress
@@ -86,6 +87,7 @@ def main(args: argparse.Namespace) -> int:
     content: dict[str, Any] = {
         'machine': processes.machine(),
         'time': time.strftime('%Y-%m-%dT%H:%M:%SZ', time.gmtime()), 'attack': {}}
+    all_like_ctrl_c()                           # what flies is ended, then
     held, interrupted = True, False
     for name in dict.fromkeys(wanted):
         chosen = kind(name)

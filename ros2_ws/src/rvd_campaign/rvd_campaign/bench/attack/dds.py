@@ -6,7 +6,7 @@ every topic of frames, and mutated messages on the others of the ring. A second 
 flight, as it should, so a case is one flight, and as many messages as reach it until then.
 """
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from contextlib import contextmanager
 import os
 from pathlib import Path
@@ -15,12 +15,15 @@ import subprocess
 import sys
 import tempfile
 
+from rvd_campaign import catalogue
 from rvd_campaign.bench.attack import Case, Kind, Outcome
 from rvd_campaign.bench.attack.flights import last_line
 from rvd_campaign.bench.attack.flying import Flying
 from rvd_campaign.flight.domain import reserved_domain
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.diagram import GROUPINGS
+from rvd_dynamics.diagram.roster import listed
+from rvd_dynamics.diagram.scenario import load
 
 SCENARIO = 'paper'
 PACES = ('lockstep', '10')
@@ -28,8 +31,8 @@ EACH = 10_000                   # messages that are sent at most in a case
 BEGUN_S = 120.0                 # [s] wall time in which the flight has begun
 SENT_S = 60.0                   # [s] wall time for the publisher
 LIMIT_S = 120.0                 # [s] wall time in which `fly` has ended
-# What `fly` says of a node that ended by itself.
-ENDED = re.compile(r'(\S+ (?:ended with code \d+|was ended by signal \d+))')
+# What `fly` says of a node that ended by itself: how, or what it complained of last.
+ENDED = re.compile(r'^(\S+) (?:ended with code \d+|was ended by signal \d+)|^(\w+): ')
 
 
 def attack() -> Kind:
@@ -41,11 +44,15 @@ def attack() -> Kind:
 
 @contextmanager
 def _open(keep: Path) -> Iterator[Case]:
+    scenario = load(catalogue.find('scenarios', SCENARIO, ('.yaml',)))
+    names = {name for form in GROUPINGS for process in listed(
+        scenario.with_values('/**', processes=form), headless=True).processes
+        for name in (process.name, *process.nodes)}
     with tempfile.TemporaryDirectory(prefix='rvd-attack-') as top:
-        yield lambda seed: one(seed, Path(top) / f'{seed}', keep)
+        yield lambda seed: one(seed, Path(top) / f'{seed}', keep, names)
 
 
-def one(seed: int, folder: Path, keep: Path) -> Outcome:
+def one(seed: int, folder: Path, keep: Path, names: Collection[str]) -> Outcome:
     """Attack one flight."""
     outcome = Outcome(attacked=0)
     form, pace = GROUPINGS[seed % len(GROUPINGS)], PACES[seed // len(GROUPINGS) % len(PACES)]
@@ -67,7 +74,7 @@ def one(seed: int, folder: Path, keep: Path) -> Outcome:
         outcome.counts[f'exit code {code}'] += 1
         bad = [] if code is not None else ['no end']
         outcome.counts['no end'] += code is None
-        ended = sorted(set(ENDED.findall(flying.said())))
+        ended = ended_nodes(flying.said(), names)
         ended += [f'{name} has a traceback' for name, text in flying.logs().items()
                   if 'Traceback (most recent call last)' in text]
         outcome.counts['nodes ended'] += len(ended)
@@ -83,6 +90,13 @@ def one(seed: int, folder: Path, keep: Path) -> Outcome:
             outcome.failures.append(f'{form}, {pace}: {"; ".join(bad)} (kept in {place})')
     outcome.attacked = max(outcome.attacked, 1)
     return outcome
+
+
+def ended_nodes(said: str, names: Collection[str]) -> list[str]:
+    """Return the parts of what `fly` says in the end that tell of one of these as ended."""
+    return [part for line in said.splitlines() if line.startswith('rvd fly: ')
+            for part in line.removeprefix('rvd fly: ').removeprefix('after the flight ').split('; ')
+            if (found := ENDED.match(part)) and (found[1] or found[2]) in names]
 
 
 def _send(flying: Flying, domain: int, seed: int) -> int:
