@@ -18,7 +18,7 @@ from typing import NamedTuple
 from rvd_campaign import catalogue
 from rvd_campaign.bench.attack import Case, Kind, Outcome
 from rvd_campaign.bench.attack.flights import last_line
-from rvd_campaign.bench.attack.flying import Flying, send
+from rvd_campaign.bench.attack.flying import BAG_BYTES, Flying, send
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.diagram import GROUPINGS
 from rvd_dynamics.diagram.roster import listed, MONITOR, RECORDER
@@ -185,12 +185,13 @@ def _of_the_bag(run: Path) -> str:
     """Return what is wrong with the bag; nothing where it can be read, or was never begun."""
     if not any((run / 'bag').glob('*')):
         return ''
+    size = max(file.stat().st_size for file in (run / 'bag').glob('*'))
     try:
-        read(run)
+        recording = read(run)
+        if size > BAG_BYTES and recording.last_step < 0:
+            return f'bag: no step can be read of {size} bytes'
     except BadInput as error:
-        if not any(file.stat().st_size > 0 for file in (run / 'bag').glob('*')):
-            return ''                           # begun and nothing said yet
-        return f'bag: {error}'
+        return f'bag: {error}' if size else ''  # begun and nothing said yet
     except Exception as error:                  # noqa: B902 - any is a fault of the reader
         return f'bag: {type(error).__name__}: {error}'
     return ''

@@ -15,8 +15,8 @@ import traceback
 from typing import Any
 
 
-class Hung(Exception):
-    """A case that took too long, and where it was."""
+class Hung(BaseException):
+    """A case that took too long, and where it was; nothing that catches an `Exception` holds it."""
 
 
 @contextmanager
