@@ -49,7 +49,7 @@ def in_child(work: Callable[[], Any], seconds: float, extra_bytes: int) -> Any:
     Hung
         If it does not end in `seconds` of wall time.
     RuntimeError
-        If it ends without an answer: the text says how.
+        If it ends without an answer, or `work` raises: the text says how.
     """
     mine, its = os.pipe()
     child = os.fork()
@@ -73,7 +73,10 @@ def in_child(work: Callable[[], Any], seconds: float, extra_bytes: int) -> Any:
     if not answer:
         raise RuntimeError(f'ended by signal {os.WTERMSIG(status)}' if os.WIFSIGNALED(status)
                            else f'ended with code {os.waitstatus_to_exitcode(status)}')
-    return pickle.loads(answer)
+    well, made = pickle.loads(answer)
+    if not well:
+        raise RuntimeError(made)
+    return made
 
 
 def _be_the_child(work: Callable[[], Any], out: int, extra_bytes: int) -> None:
@@ -82,7 +85,12 @@ def _be_the_child(work: Callable[[], Any], out: int, extra_bytes: int) -> None:
         now = int(open('/proc/self/statm', encoding='ascii').read().split()[0]) * os.sysconf(
             'SC_PAGE_SIZE')
         resource.setrlimit(resource.RLIMIT_AS, (now + extra_bytes,) * 2)
-        answer = pickle.dumps(work())
+        try:
+            answer = pickle.dumps((True, work()))
+        except Exception as error:              # noqa: B902 - told to the parent
+            place = traceback.extract_tb(error.__traceback__)[-1]
+            answer = pickle.dumps((False, f'{type(error).__name__}: {error} at '
+                                          f'{os.path.basename(place.filename)}:{place.lineno}'))
         while answer:
             answer = answer[os.write(out, answer):]
         code = 0
