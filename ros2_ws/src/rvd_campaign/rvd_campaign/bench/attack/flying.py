@@ -6,6 +6,7 @@ what is left of a flight is found whatever session, group or parent it has.
 """
 
 from collections.abc import Callable
+from contextlib import suppress
 import os
 from pathlib import Path
 import shutil
@@ -15,11 +16,14 @@ import sys
 import time
 import uuid
 
+from mcap.records import Channel, Message
+
 from rvd_campaign import catalogue
+from rvd_dynamics.recording import mcap_file
 
 MARK = 'RVD_BENCH_ATTACK'
-LOOK_S = 0.05                   # [s] wall time between two looks
-BAG_BYTES = 40_000              # more than its scenario and the definitions of its messages
+LOOK_S = 0.1                    # [s] wall time between two looks
+STEPS = 5                       # in the bag: it flies
 GONE_S = 5.0                    # [s] wall time in which all has ended after `fly`
 
 
@@ -93,7 +97,17 @@ class Flying:
 
     def flies(self) -> bool:
         """Say whether steps have been recorded, so that all of the graph flies."""
-        return any(file.stat().st_size > BAG_BYTES for file in (self.run / 'bag').glob('*.mcap*'))
+        for file in (self.run / 'bag').glob('*.mcap*'):
+            with suppress(Exception):           # as far as it has been written
+                clocks, seen = set(), 0
+                for record in mcap_file.records(file):
+                    if isinstance(record, Channel) and record.topic == '/clock':
+                        clocks.add(record.id)
+                    elif isinstance(record, Message) and record.channel_id in clocks:
+                        seen += 1
+                        if seen >= STEPS:
+                            return True
+        return False
 
     def orphans(self) -> list[str]:
         """Return what has not ended some seconds after `fly`."""

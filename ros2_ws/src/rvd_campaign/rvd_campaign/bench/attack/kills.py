@@ -18,7 +18,7 @@ from typing import NamedTuple
 from rvd_campaign import catalogue
 from rvd_campaign.bench.attack import Case, Kind, Outcome
 from rvd_campaign.bench.attack.flights import last_line
-from rvd_campaign.bench.attack.flying import BAG_BYTES, Flying, send
+from rvd_campaign.bench.attack.flying import Flying, send
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.diagram import GROUPINGS
 from rvd_dynamics.diagram.roster import listed, MONITOR, RECORDER
@@ -118,7 +118,7 @@ def _flown(scenario: Scenario, plan: Plan, seed: int, folder: Path, keep: Path
         left = flying.orphans() if code is not None else []
         outcome.counts['orphans'] += len(left)
         bad += [f'left: {one}' for one in left]
-        trouble = _of_the_bag(flying.run)
+        trouble = _of_the_bag(flying.run, plan.in_flight)
         if trouble:
             bad.append(trouble)
         else:
@@ -181,17 +181,17 @@ def _names(scenario: Scenario, plan: Plan, said: str) -> bool:
                for line in lines for name in names)
 
 
-def _of_the_bag(run: Path) -> str:
-    """Return what is wrong with the bag; nothing where it can be read, or was never begun."""
+def _of_the_bag(run: Path, flew: bool) -> str:
+    """Return what is wrong with the bag of a run that flew, or had perhaps not begun; else nothing."""
     if not any((run / 'bag').glob('*')):
-        return ''
+        return 'bag: there is none' if flew else ''
     size = max(file.stat().st_size for file in (run / 'bag').glob('*'))
     try:
         recording = read(run)
-        if size > BAG_BYTES and recording.last_step < 0:
+        if flew and recording.last_step < 0:
             return f'bag: no step can be read of {size} bytes'
     except BadInput as error:
-        return f'bag: {error}' if size else ''  # begun and nothing said yet
+        return f'bag: {error}' if size or flew else ''      # begun and nothing said yet
     except Exception as error:                  # noqa: B902 - any is a fault of the reader
         return f'bag: {type(error).__name__}: {error}'
     return ''

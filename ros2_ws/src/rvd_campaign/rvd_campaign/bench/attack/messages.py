@@ -84,7 +84,8 @@ class Rig:
         folder.mkdir(parents=True)
         rclpy.init(args=[])
         roster = listed(scenario, headless=False)
-        scenario = scenario.with_values('/**', nodes=list(roster.names), processes='blocks')
+        ours = [name for name in roster.names if name not in roster.externals]
+        scenario = scenario.with_values('/**', nodes=ours, processes='blocks')
         scenario = scenario.with_values('bag_recorder', bag_dir=str(folder / 'bag'))
         if 'markers' in scenario.mission.sections:
             scenario = scenario.with_values('markers', rate_hz=0.1)     # pictures are slow
@@ -92,7 +93,7 @@ class Rig:
         self.said: dict[str, bytes] = {}        # the last message on each topic
         self.hosts: dict[str, Host] = {}
         for process in roster.processes:
-            if process.name in roster.externals:        # somebody else's program
+            if process.name in roster.externals:        # a page, or somebody else's program
                 continue
             host = self.hosts[process.name] = Host(arguments)
             make(host, process.nodes)
