@@ -19,7 +19,7 @@ import uuid
 from mcap.records import Channel, Message
 
 from rvd_campaign import catalogue
-from rvd_dynamics.recording import mcap_file
+from rvd_dynamics.recording import mcap_records
 
 MARK = 'RVD_BENCH_ATTACK'
 LOOK_S = 0.1                    # [s] wall time between two looks
@@ -98,9 +98,9 @@ class Flying:
     def flies(self) -> bool:
         """Say whether steps have been recorded, so that all of the graph flies."""
         for file in (self.run / 'bag').glob('*.mcap*'):
-            with suppress(Exception):           # as far as it has been written
+            with suppress(OSError, ValueError, McapError):         # as far as it has been written
                 clocks, seen = set(), 0
-                for record in mcap_file.records(file):
+                for record in mcap_records.records(file):
                     if isinstance(record, Channel) and record.topic == '/clock':
                         clocks.add(record.id)
                     elif isinstance(record, Message) and record.channel_id in clocks:
