@@ -83,7 +83,7 @@ class Rig:
         shutil.rmtree(folder, ignore_errors=True)
         folder.mkdir(parents=True)
         rclpy.init(args=[])
-        roster = listed(scenario, headless=False)
+        roster = listed(scenario.with_values('/**', processes='blocks'), headless=False)
         ours = [name for name in roster.names if name not in roster.externals]
         scenario = scenario.with_values('/**', nodes=ours, processes='blocks')
         scenario = scenario.with_values('bag_recorder', bag_dir=str(folder / 'bag'))
