@@ -25,7 +25,7 @@ from rvd_campaign.bench.attack import Case, Kind, Outcome
 from rvd_campaign.bench.attack.limits import Hung, in_child, within
 from rvd_dynamics.diagram.scenario import load, Scenario
 
-SCENARIOS = ('paper', 'hand', 'tether_delay', 'obstacles', 'docking_delay')
+SCENARIOS = ('paper', 'tether_delay', 'obstacles', 'attitude')
 PACES = ({'pace': 'lockstep'}, {'pace': 'realtime', 'pace_factor': 20.0})
 EACH = 250                      # messages to each node in a case
 WARM_UP = 5                     # steps before the first: messages are made of what was said
