@@ -283,10 +283,9 @@ class Hostile:
             field['sequence'] = rng.randint(0, self.accepted)
             field['kind'] = rng.choice((codes.KIND_THRUST, codes.KIND_ABORT))
             field['generated'] = self._whole(-1 << 63, (1 << 63) - 1)
-        elif wrong == 'generated':
-            field['generated'] = rng.choice((k * ns + rng.randint(1, 1 << 40), (1 << 63) - 1,
-                                             k * ns - self._hold_ns - rng.randint(1, 1 << 40),
-                                             -1 << 63))
+        elif wrong == 'generated':              # by more than it may spend on its way
+            off = self._hold_ns + rng.randint(1, 1 << 40)
+            field['generated'] = rng.choice((k * ns + off, k * ns - off, (1 << 63) - 1, -1 << 63))
         else:
             body = self._illegal()
         data = HEAD.pack(*field.values()) + body
