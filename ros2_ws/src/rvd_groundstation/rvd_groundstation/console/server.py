@@ -25,7 +25,7 @@ from rvd_groundstation.console.clients import STUCK_S
 from rvd_groundstation.console.door import (
     Answer, BAD_FRAME, Door, ELSEWHERE, STRANGER, TOO_MANY)
 from rvd_groundstation.console.hub import Client, Hub
-from rvd_groundstation.console.protocol import MAX_FRAME
+from rvd_groundstation.console.protocol import encode, MAX_FRAME
 from rvd_dynamics.bad_input import BadInput
 
 STATIC = Path(__file__).parent / 'static'
@@ -203,7 +203,8 @@ class Server:
     async def _list(self, request: web.Request) -> web.StreamResponse:
         async with self._listings:              # a slow disk must not hold up files of the page
             rows = await asyncio.to_thread(review.listing, self._runs)
-        return web.json_response([row for row in rows if not self._under_way(row['name'])])
+        shown = [row for row in rows if not self._under_way(row['name'])]
+        return web.Response(text=encode(shown), content_type='application/json')
 
     async def _run(self, request: web.Request) -> web.StreamResponse:
         name = request.match_info['name']
