@@ -8,7 +8,10 @@ import asyncio
 import contextlib
 import json
 import logging
+import os
 import random
+import socket
+import subprocess
 import sys
 
 import aiohttp
@@ -459,7 +462,6 @@ def test_a_review_that_takes_too_long_is_ended(tmp_path, monkeypatch):
 
 
 def test_the_list_of_runs_leaves_out_what_is_no_verdict(tmp_path):
-    import os
     for name in ('good', 'fifo', 'deep', 'list', 'huge', 'nowhere', 'nan'):
         (tmp_path / name).mkdir()
     (tmp_path / 'good/verdict.json').write_text('{"reason": "docked", "seed": 3}')
@@ -478,3 +480,24 @@ def test_the_list_of_runs_leaves_out_what_is_no_verdict(tmp_path):
             return json.loads(answer.split(b'\r\n\r\n')[1], parse_constant=lambda _: 1 / 0)
     rows = {row['name']: row for row in run(work())}
     assert set(rows) == {'good', 'nan'} and rows['nan']['seed'] is None
+
+
+# -- what is told in the end -----------------------------------------------------------------
+
+def test_a_console_tells_who_has_started_it_what_it_refused(tmp_path):
+    console = subprocess.Popen(
+        [sys.executable, '-m', 'rvd_groundstation.console.main', '--serve', '--socket',
+         str(tmp_path / 'socket'), '--runs', str(tmp_path), '--port', '0'], text=True,
+        stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    try:
+        url = json.loads(console.stdout.readline())['url']
+        port = int(url.split(':')[2].split('/')[0])
+        for data in (b'\0\x1b[31m\r\n\r\n', b'GET /ws HTTP/1.1\r\nHost: evil\r\n\r\n'):
+            with socket.create_connection(('127.0.0.1', port), timeout=10.0) as line:
+                line.sendall(data)
+                assert line.recv(1 << 16)
+    finally:
+        out, err = console.communicate(timeout=20.0)
+    assert json.loads(out)['refused'] == (
+        'console refused 2 requests: 1 no HTTP, 1 for another Host or from another Origin')
+    assert err == ''
