@@ -69,13 +69,8 @@ def one(seed: int, folder: Path, keep: Path, names: Collection[str]) -> Outcome:
 def _flown(seed: int, folder: Path, keep: Path, names: Collection[str]) -> Outcome:
     outcome = Outcome(attacked=0)
     form, pace = GROUPINGS[seed % len(GROUPINGS)], PACES[seed // len(GROUPINGS) % len(PACES)]
-    before = os.environ.pop('ROS_DOMAIN_ID', None)      # a flight of its own
-    try:
-        with reserved_domain() as domain:
-            number = int(domain)
-    finally:
-        if before is not None:
-            os.environ['ROS_DOMAIN_ID'] = before
+    with reserved_domain() as domain:           # free a moment ago: `fly` takes it, or says why not
+        number = int(domain)
     with Flying(folder, SCENARIO, '--pace', pace, '--processes', form, domain=number
                 ) as flying, _stranger(number, seed, folder) as stranger:
         if not flying.until(flying.flies, BEGUN_S):

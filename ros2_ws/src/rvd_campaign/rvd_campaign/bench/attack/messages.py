@@ -23,6 +23,7 @@ from rvd_campaign import catalogue
 from rvd_campaign.bench import hostile
 from rvd_campaign.bench.attack import Case, Kind, Outcome
 from rvd_campaign.bench.attack.limits import Hung, in_child, within
+from rvd_campaign.flight.domain import reserved_domain
 from rvd_dynamics.diagram.scenario import load, Scenario
 
 SCENARIOS = ('paper', 'tether_delay', 'obstacles', 'attitude')
@@ -134,7 +135,9 @@ class Rig:
 
 def _attacked(name: str, pace: dict[str, Any], seed: int) -> tuple[dict[str, int], list[str]]:
     os.environ.update(RVD_LEAN='1', ROS_AUTOMATIC_DISCOVERY_RANGE='OFF')
+    os.environ.pop('ROS_DOMAIN_ID', None)       # a flight of its own
     with open(os.devnull, 'wb') as nowhere:     # broken bytes make the middleware talk
+        os.dup2(nowhere.fileno(), 1)
         os.dup2(nowhere.fileno(), 2)
     scenario = load(catalogue.find('scenarios', name, ('.yaml',))).with_values('/**', **pace)
     if scenario.has_shared('operator'):
@@ -145,6 +148,7 @@ def _attacked(name: str, pace: dict[str, Any], seed: int) -> tuple[dict[str, int
     counts = {'delivered': 0, 'runs': 0}
     with ExitStack() as stack:
         folder = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix='rvd-attack-')))
+        os.environ['ROS_DOMAIN_ID'] = str(int(stack.enter_context(reserved_domain())))
         left = EACH
         while left > 0 and len(failures) < 20:
             counts['runs'] += 1
