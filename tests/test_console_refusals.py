@@ -20,7 +20,8 @@ def page(said):
 
 
 def test_fly_hears_what_was_refused_beside_the_wishes(capsys):
-    one = page('{"do": "quit"}\nnot for us\n[1]\n{"refused": "console refused 2 requests: 2 other"}\n')
+    one = page('{"do": "quit"}\nnot for us\n[1]\n'
+               '{"refused": "console refused 2 requests: 2 other"}\n')
     assert one.stop() == 'console refused 2 requests: 2 other'
     assert one.wish() == {'do': 'quit'} and one._wishes.empty()
     assert capsys.readouterr().out == 'not for us\n[1]\n'

@@ -1,5 +1,5 @@
 """
-The console's door: connections are bounded in pace, number and time, and what is refused is counted.
+The console's door: connections are bounded in pace, number and time, refusals are counted.
 
 On a loopback address a page that has yet to be loaded looks like anybody else: it has no token.
 So nobody is refused for coming often. Connections are let in in the order in which they came, so
@@ -224,7 +224,7 @@ class Answer(web.Response):
 
 
 def _listening(addresses: Iterable[tuple], port: int) -> Iterable[socket.socket]:
-    """Yield a listening socket for each address of a host; the first chooses the port if it is 0."""
+    """Yield a listening socket for each address of a host; the first chooses a port that is 0."""
     for family, _, _, _, address in dict.fromkeys(addresses):
         listener = socket.socket(family, socket.SOCK_STREAM)
         try:

@@ -2,7 +2,8 @@
 The console's process: web server on the event loop, one rclpy thread per run beside it.
 
 Speaks with `./rvd fly`, which starts it, in lines of JSON: out {"url"}, {"do": "fly" | "stop" |
-"quit", ...} and at the end {"refused"}; in {"phase", "note"}. When its standard input ends, it ends.
+"quit", ...} and at the end {"refused"}; in {"phase", "note"}. When its standard input ends, it
+ends.
 """
 
 import argparse

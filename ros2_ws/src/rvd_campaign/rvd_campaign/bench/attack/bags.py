@@ -1,7 +1,8 @@
 """
-Damaged bags, and bags made to do harm, through report, review and tape: shown, or refused in a line.
+Damaged bags, and bags made to do harm, through report, review and tape.
 
-Each in a child of its own, with a limit of memory: what is not noticed in time takes all of it.
+What can be shown is, the rest is refused in a line. Each in a child of its own, with a limit of
+memory: what is not noticed in time takes all of it.
 """
 
 from collections.abc import Iterator

@@ -91,7 +91,7 @@ def legs_of(scenario: Scenario, events: list) -> list[Leg]:
 
 
 def guard_of(scenario: Scenario, arrival: Any) -> Any:
-    """Return the step of the block that reads what comes up, and nothing else; None: there is none."""
+    """Return the step of the block that reads what comes up and nothing else, or None."""
     block = next((block for block in scenario.diagram.blocks
                   if [read.signal.name for read in block.reads.values()] == [arrival.name]), None)
     if block is None:

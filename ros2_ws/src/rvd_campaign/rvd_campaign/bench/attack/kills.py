@@ -154,8 +154,8 @@ def _ignores(pid: int, number: int) -> bool:
         status = Path(f'/proc/{pid}/status').read_text(encoding='ascii', errors='replace')
     except OSError:
         return False
-    mask = next((line.split()[1] for line in status.splitlines() if line.startswith('SigIgn:')), '0')
-    return int(mask, 16) >> number - 1 & 1 == 1
+    masks = [line.split()[1] for line in status.splitlines() if line.startswith('SigIgn:')]
+    return int(masks[0] if masks else '0', 16) >> number - 1 & 1 == 1
 
 
 def _pid(flying: Flying, name: str) -> int | None:
@@ -182,7 +182,7 @@ def _names(scenario: Scenario, plan: Plan, said: str) -> bool:
 
 
 def _of_the_bag(run: Path, flew: bool) -> str:
-    """Return what is wrong with the bag of a run that flew, or had perhaps not begun; else nothing."""
+    """Return what is wrong with the bag; a run that never `flew` may have an empty one, or none."""
     if not any((run / 'bag').glob('*')):
         return 'bag: there is none' if flew else ''
     size = max(file.stat().st_size for file in (run / 'bag').glob('*'))

@@ -90,7 +90,8 @@ class Rig:
         scenario = scenario.with_values('bag_recorder', bag_dir=str(folder / 'bag'))
         if 'markers' in scenario.mission.sections:
             scenario = scenario.with_values('markers', rate_hz=0.1)     # pictures are slow
-        arguments = SimpleNamespace(name='attack', scenario=scenario, run_id='/', text=scenario.dump)
+        arguments = SimpleNamespace(name='attack', scenario=scenario, run_id='/',
+                                    text=scenario.dump)
         self.said: dict[str, bytes] = {}        # the last message on each topic
         self.hosts: dict[str, Host] = {}
         for process in roster.processes:
