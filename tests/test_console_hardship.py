@@ -5,7 +5,7 @@ import re
 
 import pytest
 from console_page import chromium, FLAGS, open_page, until
-from toy_console import ToyConsole, WaitingConsole
+from toy_console import ToyConsole, VERDICT, WaitingConsole
 
 pytestmark = pytest.mark.slow
 NO_WEBGL = ['--no-sandbox', '--disable-gpu', '--disable-webgl', '--disable-3d-apis']
@@ -214,3 +214,32 @@ def test_an_abort_that_went_out_and_is_not_acknowledged_does_not_stay_about_to_a
     until(page, banner('NOT ACKNOWLEDGED'), 10.0)
     assert re.search(r'sent \d+ s ago', page.inner_text('#banner'))
     page.close()
+
+
+# -- what others say ------------------------------------------------------------------------
+
+def test_names_and_words_with_html_and_escapes_are_text_on_the_page(browser, tmp_path):
+    """A run's folder and verdict, and an event, that would be elements if they were not text."""
+    name, words = 'a" class="evil" data-x="', '\x1b[31m"><img class="evil" src="x">'
+    (tmp_path / name).mkdir()
+    (tmp_path / name / 'verdict.json').write_text(json.dumps({
+        'success': True, 'reason': words, 'mode': words, 'seed': words, 'scenario': words,
+        'operator': words}))
+    toy = ToyConsole(tmp_path)
+    try:
+        page = open_page(browser, toy, look='plain')
+        toy.hub.post('event', {'t': 1.0, 'node': words, 'code': words, 'text': words})
+        toy.hub.post('final', {**VERDICT, 'words': words, 'measures': [
+            {**VERDICT['measures'][0], 'words': words, 'unit': words}]})
+        until(page, "document.querySelector('#verdict-words') !== null")
+        assert words.split('[31m')[1] in page.inner_text('#verdict-words').lower()
+        assert page.evaluate("document.querySelectorAll('.evil').length") == 0
+        page.keyboard.press('Escape')
+        page.keyboard.press('l')
+        until(page, "document.querySelector('#dialog [data-run]') !== null")
+        assert page.evaluate("document.querySelector('#dialog [data-run]').dataset.run") == name
+        assert page.evaluate("document.querySelectorAll('.evil, #dialog img').length") == 0
+        assert page.problems == []
+        page.close()
+    finally:
+        toy.close()

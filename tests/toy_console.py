@@ -8,6 +8,7 @@ it as the console's node would.
 
 import asyncio
 import math
+from pathlib import Path
 import threading
 
 from rvd_dynamics.commands.codes import KIND_THRUST
@@ -83,7 +84,8 @@ VERDICT = {'success': True, 'reason': 'arrived', 'words': 'arrived at the buffer
 class ToyConsole:
     """The page of the cart, served by a thread; `url` is what to open."""
 
-    def __init__(self) -> None:
+    def __init__(self, runs: Path | None = None) -> None:
+        self._runs = runs
         self.hub, self.sticks, self.provider = self.hub_of(), [], ToyDisplay()
         self.answers, self.asked = True, []
         self.kind = KIND_THRUST                 # of the commands sent; telemetry falls silent at others
@@ -101,7 +103,7 @@ class ToyConsole:
         self._loop.run_until_complete(self._serve(up))
 
     async def _serve(self, up: threading.Event) -> None:
-        server = Server(self.hub, Address(port=0), None)
+        server = Server(self.hub, Address(port=0), self._runs)
         self.url = await server.start()
         flying = asyncio.create_task(self._fly())
         up.set()

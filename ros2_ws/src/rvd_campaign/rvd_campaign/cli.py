@@ -248,9 +248,17 @@ def _add_bench(commands: argparse._SubParsersAction) -> None:
                     'machine alone meanwhile.')
     bench.add_argument('part', nargs='?', default='all',
                        choices=('graph', 'flight', 'loop', 'campaign', 'laws', 'tether', 'docking',
-                                'leak', 'console', 'all'),
+                                'leak', 'console', 'attack', 'all'),
                        help='what to measure (default: all but leak, which flies for a quarter '
-                            'of an hour, and console, which needs Chromium: about four minutes)')
+                            'of an hour, console, which needs Chromium, and attack, which takes a '
+                            'night: about four minutes)')
+    bench.add_argument('kinds', nargs='*', metavar='KIND',
+                       help='with attack: frames, messages, dds, bags, texts, kills or flights '
+                            '(default: all)')
+    bench.add_argument('--count', type=int, metavar='N', help='with attack: how many of each kind')
+    bench.add_argument('--seed', type=int, metavar='SEED',
+                       help='with attack: of the first one (default: 0); with --count 1, that one '
+                            'alone')
     bench.add_argument('--quick', action='store_true', help='one repetition each, small batches')
     bench.add_argument('--before', metavar='DIR',
                        help='graph and campaign: measure against this checkout, which is set up')

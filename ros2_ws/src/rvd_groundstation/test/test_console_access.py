@@ -7,7 +7,8 @@ import struct
 from hypothesis import given, strategies as st
 import pytest
 
-from rvd_groundstation.console.access import Access, check_bind, new_token, Throttle, token_of
+from rvd_groundstation.console.access import (
+    Access, check_bind, new_token, Pace, Throttle, token_of)
 from rvd_groundstation.console.clients import Outbox
 from rvd_groundstation.console.lease import Lease
 from rvd_groundstation.console.protocol import (
@@ -37,7 +38,8 @@ def test_tokens_are_128_bits_and_never_the_same():
     assert len(tokens) == 200 and all(len(token) >= 22 for token in tokens)
 
 
-@pytest.mark.parametrize('token', [None, '', 'righ', 'rightt', 'wrong', 'ri\u0119ht'])
+@pytest.mark.parametrize('token', [
+    None, '', 'righ', 'rightt', 'wrong', 'ri\u0119ht', 'ri\udcffght', 'ri\ud800ght'])
 def test_only_the_token_itself_is_known(token):
     assert not ACCESS.knows(token)
     assert ACCESS.knows('right')
@@ -73,6 +75,16 @@ def test_throttle_lets_its_rate_through_and_no_more():
     throttle = Throttle(5.0, 5.0)
     passed = sum(throttle.allow(100.0 + i / 100) for i in range(1000))
     assert passed == pytest.approx(5 + 10 * 5, abs=1)
+
+
+def test_a_pace_lets_a_burst_through_and_then_its_rate():
+    pace, now = Pace(10.0, 5.0), 100.0
+    for i in range(105):                        # each waits for its turn, as the server does
+        now += pace.wait_s(now)
+    assert now - 100.0 == pytest.approx(10.0)
+    pace, now = Pace(10.0, 5.0), 100.0
+    assert [pace.wait_s(now) for _ in range(5)] == [0.0] * 5
+    assert pace.wait_s(now, 3.0) == pytest.approx(0.3)
 
 
 # -- lease --------------------------------------------------------------------------------

@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 from rvd_campaign.bench import processes
 from rvd_campaign.bench.before import Checkout, HOW
-from rvd_campaign.exits import check_file
+from rvd_campaign.exits import CannotRun, check_file
 from rvd_dynamics.recording import whole
 
 
@@ -30,6 +30,11 @@ class Row(NamedTuple):
 
 def main(args: argparse.Namespace) -> int:
     """Measure what is asked for, print the table, write the JSON; return the exit code."""
+    if args.part == 'attack':                   # how much is held, not how fast
+        from rvd_campaign.bench import attack
+        return attack.main(args)
+    if args.kinds or args.count is not None or args.seed is not None:
+        raise CannotRun('kinds, --count and --seed go with `bench attack`')
     if args.out:
         check_file('--out', args.out, new=False)
     # only when asked for: the console's needs a browser, and a leak takes a quarter of an hour

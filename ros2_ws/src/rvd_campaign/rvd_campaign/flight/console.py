@@ -3,7 +3,7 @@
 
 The console process is started once and outlives runs; each run is a bring-up of its own in a
 new folder. Control channel: lines of JSON on the console's standard output (a URL, wishes of
-the pilot) and input (how a run goes).
+the pilot, in the end what was refused) and input (how a run goes).
 """
 
 import argparse
@@ -59,14 +59,21 @@ class ConsoleProcess:
                  'OMP_NUM_THREADS': '1', 'OPENBLAS_NUM_THREADS': '1'})
         self._wishes: queue.Queue[dict] = queue.Queue()
         self._held: dict | None = None          # a wish for after the run under way
-        threading.Thread(target=self._read, daemon=True).start()
+        self._refused = ''
+        self._reader = threading.Thread(target=self._read, daemon=True)
+        self._reader.start()
 
     def _read(self) -> None:
         for line in self._process.stdout:
             try:
-                self._wishes.put(json.loads(line))
-            except ValueError:
+                message = dict(json.loads(line))
+            except (ValueError, TypeError):
                 print(one_line(line.rstrip('\n')), flush=True)
+                continue
+            if 'refused' in message:
+                self._refused = message['refused']
+            else:
+                self._wishes.put(message)
 
     def url(self) -> str:
         """Return the address to open, once there."""
@@ -116,8 +123,8 @@ class ConsoleProcess:
         except (BrokenPipeError, ValueError):
             pass                                # its end is noticed where wishes are awaited
 
-    def stop(self) -> None:
-        """End the process: its standard input ends."""
+    def stop(self) -> str:
+        """End the process, whose standard input ends; return what it refused, in words."""
         try:
             self._process.stdin.close()
         except BrokenPipeError:
@@ -127,6 +134,8 @@ class ConsoleProcess:
         except subprocess.TimeoutExpired:
             self._process.kill()
             self._process.wait()
+        self._reader.join(LOOK_S)
+        return self._refused
 
 
 def main(args: argparse.Namespace, scenario: Scenario) -> int:
@@ -151,7 +160,9 @@ def main(args: argparse.Namespace, scenario: Scenario) -> int:
             print(f'open {page.url()}', flush=True)
             return _serve(page, args, scenario, runs, domain)
         finally:
-            page.stop()
+            refused = page.stop()
+            if refused:
+                print(refused, flush=True)
 
 
 def _serve(page: ConsoleProcess, args: argparse.Namespace, scenario: Scenario, runs: Path,

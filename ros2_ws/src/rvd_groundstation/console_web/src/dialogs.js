@@ -24,7 +24,7 @@ export const closeButton = `<button data-close>${S.close}</button>`;
 export function escape(words) {
   const span = document.createElement('span');
   span.textContent = words;
-  return span.innerHTML;
+  return span.innerHTML.replaceAll('"', '&quot;'); // it may stand in an attribute, too
 }
 
 export function message(title, text) {

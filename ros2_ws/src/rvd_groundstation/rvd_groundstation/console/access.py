@@ -2,8 +2,9 @@
 Who may talk to the console: token, Host, Origin, and how often.
 
 Host is checked against DNS rebinding, Origin against pages of other sites that open sockets
-here, the token against everybody else on this machine. No clock of its own: instants are
-given [s].
+here, the token against everybody else on this machine. These come first, and who fails them
+takes nothing from who does not: `Throttle` refuses, `Pace` lets wait. No clock of its own:
+instants are given [s].
 """
 
 import hmac
@@ -89,7 +90,9 @@ class Access:
 
     def knows(self, token: str | None) -> bool:
         """Say whether this is the token, in a time that does not depend on it."""
-        return token is not None and hmac.compare_digest(token.encode(), self.token.encode())
+        # what is no UTF-8 in a header comes as lone surrogates
+        return token is not None and hmac.compare_digest(
+            token.encode('utf-8', 'surrogatepass'), self.token.encode())
 
 
 def token_of(subprotocols: list[str]) -> str | None:
@@ -115,3 +118,16 @@ class Throttle:
             return False
         self._left -= 1.0
         return True
+
+
+class Pace:
+    """So much per second on average, and at most `burst` at once; what is too much waits."""
+
+    def __init__(self, rate: float, burst: float) -> None:
+        self._rate, self._burst = rate, burst
+        self._free_at = 0.0                     # when all that was let through has been paid for
+
+    def wait_s(self, now: float, cost: float = 1.0) -> float:
+        """Take `cost`; return for how long to wait before using it [s]."""
+        self._free_at = max(self._free_at, now - self._burst / self._rate) + cost / self._rate
+        return max(self._free_at - now, 0.0)

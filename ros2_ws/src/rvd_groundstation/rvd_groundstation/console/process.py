@@ -2,7 +2,8 @@
 The console's process: web server on the event loop, one rclpy thread per run beside it.
 
 Speaks with `./rvd fly`, which starts it, in lines of JSON: out {"url"}, {"do": "fly" | "stop" |
-"quit", ...}; in {"phase", "note"}. When its standard input ends, it ends.
+"quit", ...} and at the end {"refused"}; in {"phase", "note"}. When its standard input ends, it
+ends.
 """
 
 import argparse
@@ -63,6 +64,7 @@ async def _serve_runs(options: argparse.Namespace) -> int:
     await _heed(hub)
     runs.close()
     await server.stop()
+    say({'refused': server.door.in_words()})
     return 0
 
 
@@ -103,6 +105,8 @@ async def _serve_one(arguments: list[str]) -> int:
     if text:
         print(f'console: {text}', file=sys.stderr)
     await server.stop()
+    if server.door.refused:
+        print(server.door.in_words(), flush=True)
     return code
 
 

@@ -132,7 +132,7 @@ def flight_wish(content: dict[str, Any], modes: Collection[str] = MODES) -> dict
     return wish
 
 
-def encode(message: dict[str, Any]) -> str:
+def encode(message: Any) -> str:
     """Return a message as JSON text; what is unknown (NaN) is null."""
     return json.dumps(_known(message), separators=(',', ':'), allow_nan=False)
 

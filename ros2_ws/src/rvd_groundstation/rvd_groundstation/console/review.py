@@ -52,12 +52,17 @@ async def load(runs: Path | None, name: str) -> bytes:
     BadInput
         If its bag holds nothing that can be shown.
     """
-    if runs is None or name.startswith('-'):
+    if runs is None or name.startswith('-') or '\0' in name:
         raise FileNotFoundError(name)
     reader = await asyncio.create_subprocess_exec(
         *READER, str(runs), name, stdin=asyncio.subprocess.DEVNULL,
         stdout=asyncio.subprocess.PIPE, stderr=asyncio.subprocess.PIPE)
-    body, complaint = await reader.communicate()
+    try:
+        body, complaint = await reader.communicate()
+    finally:
+        with suppress(ProcessLookupError):
+            if reader.returncode is None:       # nobody waits for it any more
+                reader.kill()
     if reader.returncode == 1:
         raise FileNotFoundError(name)
     if reader.returncode != 0:

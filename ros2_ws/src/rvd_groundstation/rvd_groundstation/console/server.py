@@ -2,31 +2,48 @@
 The console's web server: a static page, one socket per page, run folders for review.
 
 Bound to a loopback address, or to another one with TLS. Every request is held against Host and
-Origin, every socket and every run folder also against the token.
+Origin, every socket and every run folder also against the token, before anything else is done
+for it. Who fails takes nothing from who passes.
 """
 
 import asyncio
+import hashlib
+import logging
 import ssl
 import time
+from collections.abc import Awaitable, Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 from aiohttp import web, WSMsgType
 
 from rvd_groundstation.console import review
 from rvd_groundstation.console.access import (
-    Access, check_bind, HEADERS, new_token, SUBPROTOCOL, Throttle, token_of)
+    Access, check_bind, HEADERS, new_token, Pace, SUBPROTOCOL, Throttle, token_of)
 from rvd_groundstation.console.clients import STUCK_S
+from rvd_groundstation.console.door import (
+    Answer, BAD_FRAME, Door, ELSEWHERE, STRANGER, TOO_MANY)
 from rvd_groundstation.console.hub import Client, Hub
-from rvd_groundstation.console.protocol import MAX_FRAME
+from rvd_groundstation.console.protocol import encode, MAX_FRAME
 from rvd_dynamics.bad_input import BadInput
 
 STATIC = Path(__file__).parent / 'static'
-REQUEST_RATE, REQUEST_BURST = 60.0, 200.0       # [1/s] of all pages together
-FAILURE_RATE, FAILURE_BURST = 5.0, 5.0          # [1/s] wrong tokens
+REQUEST_RATE, REQUEST_BURST = 60.0, 200.0       # [1/s] with the token, of all pages together
+FAILURE_RATE, FAILURE_BURST = 5.0, 5.0          # [1/s] refusals that are told why
+# [1/s] files of the page, which anybody may have: they wait, in the order in which they were asked
+# for; a large one counts for several
+FILE_RATE, FILE_BURST, FILE_BYTES = 300.0, 100.0, 200_000
+PART_BYTES = 64 * 1024          # of a file, sent at a time
+KINDS = {'.html': 'text/html; charset=utf-8', '.js': 'text/javascript; charset=utf-8',
+         '.css': 'text/css; charset=utf-8', '.svg': 'image/svg+xml'}
 HEARTBEAT_S = 10.0
-ASK_S = 10.0                    # [s] wall time in which a new connection must have asked something
-MAX_CONNECTIONS = 256           # a page has one socket, and six more while it loads
+REVIEWS = 2                     # at a time: each reads a bag in a process of its own
+REVIEW_S = 120.0                # [s] wall time that one may take
+MOST_WAITING = 4                # reviews; who comes then is told to come again
+AGAIN_S = 5                     # [s] when
+
+Handler = Callable[[web.Request], Awaitable[web.StreamResponse]]
 
 
 @dataclass(frozen=True)
@@ -56,6 +73,27 @@ class Address:
         return context
 
 
+class File(NamedTuple):
+    """A file of the page."""
+
+    body: bytes
+    kind: str                       # its media type
+    tag: str                        # changes with it
+
+
+def files_of_the_page() -> dict[str, File]:
+    """Return the files of the page by their paths; none if it has not been built."""
+    found = {'/': STATIC / 'index.html',
+             **{f'/assets/{file.name}': file for file in (STATIC / 'assets').glob('*')}}
+    made = {}
+    for path, file in found.items():
+        if file.is_file():
+            body = file.read_bytes()
+            made[path] = File(body, KINDS.get(file.suffix, 'application/octet-stream'),
+                              f'"{hashlib.sha256(body).hexdigest()[:16]}"')
+    return made
+
+
 class Server:
     """Serves one hub."""
 
@@ -67,29 +105,31 @@ class Server:
         self._token = new_token()
         self._requests = Throttle(REQUEST_RATE, REQUEST_BURST)
         self._failures = Throttle(FAILURE_RATE, FAILURE_BURST)
+        self._files = Pace(FILE_RATE, FILE_BURST)
+        self._page: dict[str, File] = {}        # by path
+        self._token_in: dict[Handler, Callable[[web.Request], str | None]] = {
+            self._socket: _offered, self._list: _bearer, self._run: _bearer}
         self._tasks: list[asyncio.Task] = []
-        # connections that have asked nothing yet, and what will cut them off
-        self._silent: dict[asyncio.Protocol, asyncio.TimerHandle] = {}
+        self._in_review = 0
+        self.door = Door()
 
     async def start(self) -> str:
         """Listen; return the URL to open."""
+        # What a stranger says is counted, not logged; faults of ours are logged.
+        logging.getLogger('aiohttp.websocket').setLevel(logging.ERROR)
         context = self._address.tls()
+        self._line, self._listings = asyncio.Lock(), asyncio.Semaphore(REVIEWS)
+        self._reviews = asyncio.Semaphore(REVIEWS)
+        self._page = files_of_the_page()
         app = web.Application(middlewares=[self._guard], client_max_size=MAX_FRAME)
         app.add_routes([
-            web.get('/', self._page), web.get('/ws', self._socket),
+            web.get('/', self._file), web.get('/assets/{name:.+}', self._file),
+            web.get('/ws', self._socket),
             web.get('/api/runs', self._list), web.get('/api/runs/{name:.+}', self._run)])
-        app.router.add_static('/assets', STATIC / 'assets')
-        self._runner = web.AppRunner(app, access_log=None, keepalive_timeout=15.0,
-                                     shutdown_timeout=0.5)
+        self._runner = web.AppRunner(app, access_log=None, shutdown_timeout=0.5)
         await self._runner.setup()
-        try:
-            self._listener = await asyncio.get_running_loop().create_server(
-                self._connection, self._address.bind, self._address.port, ssl=context,
-                ssl_handshake_timeout=ASK_S if context else None)
-        except OSError as error:
-            raise BadInput(f'the console cannot listen on {self._address.bind}:'
-                           f'{self._address.port}: {error.strerror}') from None
-        port = self._listener.sockets[0].getsockname()[1]
+        port = await self.door.open(
+            self._address.bind, self._address.port, context, self._runner.server)
         self.access = Access(self._token, self._address.bind, port, context is not None)
         self._tasks = [asyncio.create_task(self.hub.pump()),
                        asyncio.create_task(self.hub.housekeeping())]
@@ -103,79 +143,90 @@ class Server:
             client.closing = 'BYE'
             client.wake.set()
         await asyncio.sleep(0.05)
-        self._listener.close()
+        self.door.close()
         await self._runner.cleanup()
-
-    # -- connections ----------------------------------------------------------------------
-
-    def _connection(self) -> asyncio.Protocol:
-        """Admit a connection; it is cut off when it does not ask anything soon."""
-        if len(self._runner.server.connections) >= MAX_CONNECTIONS:
-            return _NoRoom()
-        handler = self._runner.server()
-        self._silent[handler] = asyncio.get_running_loop().call_later(
-            ASK_S, self._cut_off, handler)
-        return handler
-
-    def _cut_off(self, handler: asyncio.Protocol) -> None:
-        del self._silent[handler]
-        if handler.transport is not None:
-            handler.transport.abort()
+        self.door.cut_all()
 
     # -- requests -------------------------------------------------------------------------
 
     @web.middleware
-    async def _guard(self, request: web.Request, handler) -> web.StreamResponse:
-        """Check Host and Origin and add the protecting headers to every answer."""
-        timer = self._silent.pop(request.protocol, None)
-        if timer is not None:
-            timer.cancel()
-        if self.access is None or not self._requests.allow(time.monotonic()):
-            return _plain(429, 'too many requests')
+    async def _guard(self, request: web.Request, handler: Handler) -> web.StreamResponse:
+        """Check Host, Origin and token, then how often."""
         why = self.access.refusal(request.headers.get('Host'), request.headers.get('Origin'),
                                   must_have_origin=request.path == '/ws')
+        token_in = self._token_in.get(request.match_info.handler)
+        if why is None and token_in is not None and not self.access.knows(token_in(request)):
+            why = 'TOKEN'
+        request.protocol.begun(trusted=why is None and token_in is not None)
         if why is not None:
-            return _plain(403, f'refused: {why}')
+            return self._refuse(why)
+        if token_in is None:
+            await self._turn(request)
+        elif not self._requests.allow(time.monotonic()):
+            return Answer(429, 'too many requests')
         try:
-            response = await handler(request)
+            return await handler(request)
         except web.HTTPException as error:
-            return _plain(error.status, error.reason)
-        if not response.prepared:
-            response.headers.update(HEADERS)
+            return Answer(error.status, error.reason)
+
+    def _refuse(self, why: str) -> web.Response:
+        """Say why, but not to everybody who asks again and again."""
+        kind = STRANGER if why == 'TOKEN' else ELSEWHERE
+        if self._failures.allow(time.monotonic()):
+            return Answer(403, f'refused: {why}', kind)
+        return Answer(429, 'too many requests were refused', kind)
+
+    async def _turn(self, request: web.Request) -> None:
+        """Wait until it is this request's turn to be given a file."""
+        async with self._line:                  # first come, first served
+            if request.transport is None:
+                raise ConnectionResetError('gone while waiting')
+            size = len(self._page[request.path].body) if request.path in self._page else 0
+            await asyncio.sleep(self._files.wait_s(time.monotonic(), 1.0 + size // FILE_BYTES))
+
+    async def _file(self, request: web.Request) -> web.StreamResponse:
+        """Send a file of the page, in parts: a page that reads slowly takes no room here."""
+        file = self._page.get(request.path)
+        if file is None:
+            return Answer(404, 'the page has not been built' if not self._page else 'no such file')
+        about = {**HEADERS, 'Cache-Control': 'no-cache', 'ETag': file.tag}
+        if request.headers.get('If-None-Match') == file.tag:
+            return web.Response(status=304, headers=about)
+        response = web.StreamResponse(headers={**about, 'Content-Type': file.kind})
+        response.content_length = len(file.body)
+        await response.prepare(request)
+        if request.method != 'HEAD':
+            for at in range(0, len(file.body), PART_BYTES):
+                await response.write(file.body[at:at + PART_BYTES])
         return response
 
-    def _refuse_stranger(self, token: str | None) -> web.Response | None:
-        if self.access.knows(token):
-            return None
-        if not self._failures.allow(time.monotonic()):
-            return _plain(429, 'too many wrong tokens')
-        return _plain(403, 'refused: TOKEN')
-
-    async def _page(self, request: web.Request) -> web.StreamResponse:
-        if not (STATIC / 'index.html').is_file():
-            return _plain(404, 'the page has not been built')
-        return web.FileResponse(STATIC / 'index.html', headers={'Cache-Control': 'no-cache'})
-
     async def _list(self, request: web.Request) -> web.StreamResponse:
-        refused = self._refuse_stranger(_bearer(request))
-        if refused is not None:
-            return refused
-        rows = await asyncio.to_thread(review.listing, self._runs)
-        return web.json_response([row for row in rows if not self._under_way(row['name'])])
+        async with self._listings:              # a slow disk must not hold up files of the page
+            rows = await asyncio.to_thread(review.listing, self._runs)
+        shown = [row for row in rows if not self._under_way(row['name'])]
+        return web.Response(text=encode(shown), content_type='application/json')
 
     async def _run(self, request: web.Request) -> web.StreamResponse:
-        refused = self._refuse_stranger(_bearer(request))
-        if refused is not None:
-            return refused
         name = request.match_info['name']
         if self._under_way(name):               # its bag holds the truth
-            return _plain(409, 'this run is still under way')
+            return Answer(409, 'this run is still under way')
+        if self._in_review >= REVIEWS + MOST_WAITING:
+            return Answer(503, f'{REVIEWS} reviews are being prepared and {MOST_WAITING} wait: '
+                         f'try again in {AGAIN_S} s', TOO_MANY, {'Retry-After': str(AGAIN_S)})
+        self._in_review += 1
         try:
-            body = await review.load(self._runs, name)
+            async with self._reviews:
+                if request.transport is None:
+                    raise ConnectionResetError('gone while waiting')
+                body = await asyncio.wait_for(review.load(self._runs, name), REVIEW_S)
         except FileNotFoundError:
-            return _plain(404, 'no such run')
+            return Answer(404, 'no such run')
         except BadInput as error:
-            return _plain(422, str(error))
+            return Answer(422, str(error))
+        except asyncio.TimeoutError:
+            return Answer(422, f'{name}: its bag was not read within {REVIEW_S:g} s')
+        finally:
+            self._in_review -= 1
         response = web.Response(body=body, content_type='application/json')
         response.enable_compression()
         return response
@@ -186,19 +237,14 @@ class Server:
     # -- sockets --------------------------------------------------------------------------
 
     async def _socket(self, request: web.Request) -> web.StreamResponse:
-        offered = [word.strip() for word in
-                   request.headers.get('Sec-WebSocket-Protocol', '').split(',')]
-        refused = self._refuse_stranger(token_of(offered))
-        if refused is not None:
-            return refused
         client = self.hub.join()
         if client is None:
-            return _plain(503, 'no room: 50 pages watch already')
+            return Answer(503, 'no room: 50 pages watch already')
         socket = web.WebSocketResponse(protocols=(SUBPROTOCOL,), max_msg_size=MAX_FRAME,
                                        heartbeat=HEARTBEAT_S, compress=False)
         sender = None
         try:
-            await socket.prepare(request)
+            await _shake_hands(socket, request)
             client.cut = lambda: _cut(request)
             sender = asyncio.create_task(self._send(socket, client))
             async for message in socket:
@@ -206,6 +252,8 @@ class Server:
                     self.hub.stick(client, message.data)
                 elif message.type == WSMsgType.TEXT:
                     self.hub.request(client, message.data)
+                elif message.type == WSMsgType.ERROR:       # the socket closes itself
+                    self.door.refused[BAD_FRAME] += 1
                 if client.closing:
                     break
         finally:
@@ -236,11 +284,11 @@ class Server:
         await socket.close(code=1008, message=client.closing.encode())
 
 
-class _NoRoom(asyncio.Protocol):
-    """Turns a connection away."""
-
-    def connection_made(self, transport: asyncio.BaseTransport) -> None:
-        transport.abort()
+async def _shake_hands(socket: web.WebSocketResponse, request: web.Request) -> None:
+    try:
+        await socket.prepare(request)
+    except ValueError:                          # a key that is not ASCII
+        raise web.HTTPBadRequest from None
 
 
 def _cut(request: web.Request) -> None:
@@ -248,10 +296,11 @@ def _cut(request: web.Request) -> None:
         request.transport.abort()
 
 
+def _offered(request: web.Request) -> str | None:
+    return token_of([word.strip() for word in
+                     request.headers.get('Sec-WebSocket-Protocol', '').split(',')])
+
+
 def _bearer(request: web.Request) -> str | None:
     scheme, _, token = request.headers.get('Authorization', '').partition(' ')
     return token if scheme == 'Bearer' else None
-
-
-def _plain(status: int, text: str) -> web.Response:
-    return web.Response(status=status, text=text + '\n', headers=HEADERS)
