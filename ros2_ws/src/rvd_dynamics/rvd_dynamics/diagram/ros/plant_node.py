@@ -3,7 +3,6 @@
 import time
 from typing import Any
 
-from rclpy.serialization import deserialize_message
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import Bool, String, UInt64
 
