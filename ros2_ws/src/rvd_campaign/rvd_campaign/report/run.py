@@ -82,7 +82,8 @@ def page(run: Recording) -> str:
     return render(
         'run.html.j2', title=headline(run), mark=mark, kind=kind, facts=_facts(run),
         warnings=[*_warnings(run), *_damage(run, series),
-                  *(d for d in drawn if isinstance(d, str))], verdict=run.verdict, judged=run.judged,
+                  *(d for d in drawn if isinstance(d, str))],
+        verdict=run.verdict, judged=run.judged,
         measures=[(m, _used(m)) for m in shown if m.known or m.limited],
         figures=[d for d in drawn if isinstance(d, Drawn)],
         events=_events(run),
