@@ -132,7 +132,7 @@ def test_who_writes_for_one_look_is_named(graph, look):
     assert told(found + look()) == [('/run/end', 'forger')]
 
 
-@pytest.mark.parametrize('enclave', [RUN, '/'])
+@pytest.mark.parametrize('enclave', [RUN, '/'], ids=['of_this_run', 'of_none'])
 def test_a_node_with_the_name_of_one_of_the_run_is_another(graph, look, enclave):
     look()
     graph.come('mission_monitor', '/run/verdict', enclave=enclave)

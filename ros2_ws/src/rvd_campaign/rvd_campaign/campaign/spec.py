@@ -199,7 +199,8 @@ class _Reader:
     def _scenario(self, name: Any, seed: int) -> Scenario:
         """Return the scenario that everything is a change of; it brings the words and sections."""
         beside = self._folder / str(name)
-        path = beside if os.path.isfile(beside) else catalogue.find('scenarios', str(name), ('.yaml',))
+        path = beside if os.path.isfile(beside) else catalogue.find(
+            'scenarios', str(name), ('.yaml',))
         base = load(path).with_values(SHARED, seed=seed, run=0)
         delays = (LOOP_DELAY,) if all(map(base.has_shared, DELAYS)) else ()
         self._words = (*base.mission.short_words, *delays)

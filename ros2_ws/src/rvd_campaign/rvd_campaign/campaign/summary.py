@@ -95,7 +95,8 @@ def is_summary(content: Any) -> bool:
     if repeated is not None and repeated['count'] >= 2 and not all(
             set(spread) == {'mean', 'deviation', 'middle95'} for spread in (
                 *repeated['success_rate'].values(),
-                *(d[key] for d in repeated['differences'] for key in ('same_draws', 'other_draws')))):
+                *(d['same_draws'] for d in repeated['differences']),
+                *(d['other_draws'] for d in repeated['differences']))):
         return False
     named = {reason for c in conditions for reason in c['reasons']}
     return (named <= set(content['reasons'])
