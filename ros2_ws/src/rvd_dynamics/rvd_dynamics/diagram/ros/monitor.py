@@ -29,13 +29,13 @@ class MissionMonitor(RunNode):
         self._out = self.writer('/run/verdict', Verdict)
         self._published = time.monotonic()
         self._judged_final = False
-
-    def connect(self) -> None:
-        """Make the judge, and listen to the truth."""
         own = {'batch': ()}
         self._judge = made(self.scenario.mission.judge,
                            lambda name: own[name] if name in own else self.scenario.part(name),
                            'judge')
+
+    def connect(self) -> None:
+        """Listen to the truth."""
         truth = self.roster.diagram.truth
         if self.host.is_local(truth.name):
             self.host.take(truth.name, self.guarded(self._on_truth))
