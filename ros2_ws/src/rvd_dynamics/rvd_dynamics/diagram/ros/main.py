@@ -23,7 +23,6 @@ from rvd_dynamics.diagram.ros.block_node import BlockNode
 from rvd_dynamics.diagram.ros.firing import FiringNode
 from rvd_dynamics.diagram.ros.host import Host, run
 from rvd_dynamics.diagram.ros.leg_node import LegNode
-from rvd_dynamics.diagram.ros.node import RunNode
 from rvd_dynamics.diagram.ros.plant_node import PlantNode
 from rvd_dynamics.diagram.roster import GROUP_EXECUTABLE, MARKERS, MONITOR, RECORDER
 
@@ -80,23 +79,30 @@ def wanted(host: Host, arguments: Arguments) -> tuple[str, ...]:
 
 def make(host: Host, names: tuple[str, ...]) -> None:
     """Make the nodes: first their publishers, then their subscriptions, then what computes."""
-    blocks = [node_of(host, block) for block in host.roster.diagram.order if block.name in names]
-    watchers = [_watcher(host, name) for name in names if name in host.roster.watchers]
+    blocks, watchers = [], []
+    for block in host.roster.diagram.order:
+        if block.name in names:
+            with _named(host, block.name):
+                blocks.append(node_of(host, block))
+    for name in names:
+        if name in host.roster.watchers:
+            with _named(host, name):
+                watchers.append(_watcher(host, name))
     for node in (*watchers, *blocks):           # the recorder hears what is said at the start
-        with _named(node):
+        with _named(host, node.get_name()):
             node.connect()
     for node in blocks:
-        with _named(node):
+        with _named(host, node.get_name()):
             node.make()
 
 
 @contextlib.contextmanager
-def _named(node: RunNode) -> Iterator[None]:
-    """Let bad input carry the node whose settings they are."""
+def _named(host: Host, name: str) -> Iterator[None]:
+    """Let bad input carry the node whose settings they are, which may be half made."""
     try:
         yield
     except BadInput as error:
-        error.rvd_node = node
+        error.rvd_node = host.nodes.get(name)
         raise
 
 

@@ -41,14 +41,14 @@ class MissionMonitor(RunNode):
         self._judged_final = False
         self._writers = Writers(self.roster, host.run_id, self)
         self._ahead: list[int] = []             # steps in a row that came before they were due
-
-    def connect(self) -> None:
-        """Make the judge, listen to the truth, and see who writes."""
-        self.create_timer(LOOK_S, self.guarded(self._look_at_writers))
         own = {'batch': ()}
         self._judge = made(self.scenario.mission.judge,
                            lambda name: own[name] if name in own else self.scenario.part(name),
                            'judge')
+
+    def connect(self) -> None:
+        """Listen to the truth, and see who writes."""
+        self.create_timer(LOOK_S, self.guarded(self._look_at_writers))
         truth = self.roster.diagram.truth
         if self.host.is_local(truth.name):
             self.host.take(truth.name, self.guarded(self._on_truth))
