@@ -18,6 +18,7 @@ import threading
 from mcap.stream_reader import StreamReader
 import numpy as np
 import pytest
+from rclpy.serialization import deserialize_message, serialize_message
 
 import small_run
 from rvd_campaign.bench import damaged
@@ -30,6 +31,7 @@ from rvd_dynamics.recording.messages import MessageFile
 from rvd_dynamics.recording.reader import read
 from rvd_groundstation.console import review
 from rvd_groundstation.operators.tape import read_tape
+from rvd_interfaces.msg import RelativeState
 
 LIMIT = 1536 << 20              # [B] of address space in which a bomb of 2 GB has no room
 
@@ -157,6 +159,16 @@ def test_a_topic_that_cannot_be_read_takes_no_other_with_it(run, topic, change, 
     text = page(read(run))
     assert said in text
     assert ('<svg' in text) == (topic != '/run/scenario')
+
+
+def test_numbers_that_no_run_has_are_reviewed_without_a_word_on_the_side(run):
+    """Their squares are more than the largest float."""
+    def huge(data):
+        state = deserialize_message(data, RelativeState)
+        state.position.y = 1e200
+        return serialize_message(state)
+    changed(run, '/ground/prediction', huge)
+    assert damaged.faults(run) == []
 
 
 def test_a_step_beyond_the_run_is_none(run):

@@ -77,9 +77,9 @@ def faults(run: Path) -> list[str]:
 
 
 def _fault(read: Callable[[], Any]) -> str:
-    begun, said, noise = time.process_time(), '', StringIO()
+    begun, said, noise, warned = time.process_time(), '', StringIO(), []
     try:
-        with redirect_stderr(noise), warnings.catch_warnings():
+        with redirect_stderr(noise), warnings.catch_warnings(record=True) as warned:
             warnings.simplefilter('default')
             read()
     except (BadInput, FileNotFoundError) as error:
@@ -93,8 +93,9 @@ def _fault(read: Callable[[], Any]) -> str:
         said = (f'{type(error).__name__}: {error} at '
                 f'{place.tb_frame.f_code.co_filename}:{place.tb_lineno}')
     spent = time.process_time() - begun
-    if not said and noise.getvalue():
-        said = f'it says on its own: {noise.getvalue()[:300]!r}'
+    told = noise.getvalue() + ''.join(f'{w.message} at {w.filename}:{w.lineno}' for w in warned)
+    if not said and told:
+        said = f'it says on its own: {told[:300]!r}'
     return said or (f'it took {spent:.0f} s' if spent > MOST_S else '')
 
 
