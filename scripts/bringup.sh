@@ -29,7 +29,7 @@ if ! [[ ":${AMENT_PREFIX_PATH:-}:" == *rvd_dynamics:* ]]; then      # workspace 
 fi
 
 source "$here/network.sh"               # heard on this machine alone, unless somebody asks for more
-[ -r "$1" ] || { echo "bringup: cannot read the scenario $1" >&2; exit 2; }
+[ -r "$1" ] || { echo "bringup: cannot read scenario $1" >&2; exit 2; }
 [ $# -ge 2 ] || { echo "bringup: the run folder is missing: bringup.sh SCENARIO RUN_DIR" >&2; exit 2; }
 scenario=$(realpath -- "$1"; echo .)
 scenario=${scenario%??}                 # and not the end of a name that is a line feed

@@ -84,7 +84,7 @@ def bytes_of(path: str | Path, what: str, most: int = MAX_TABLE_BYTES) -> bytes:
         if isinstance(error, BadInput):
             raise BadInput(f'{path} is a pipe or a device: give the {what} as a file') from None
         why = getattr(error, 'strerror', None) or error
-        raise BadInput(f'{path}: cannot read the {what}: {why}') from None
+        raise BadInput(f'cannot read {what} {path}: {why}') from None
     if len(data) > most:
         raise BadInput(f'{path} is larger than {size_in_words(most)}: that is no {what}')
     return data
@@ -176,7 +176,7 @@ def rows_of(text: str, where: str) -> Iterator[tuple[int, list[str]]]:
 
 # -- YAML ------------------------------------------------------------------------------------
 
-class _NotYaml(BadInput):
+class NotYaml(BadInput):
     """A text that is no YAML at all."""
 
 
@@ -251,14 +251,14 @@ def value_of(text: str) -> Any:
     except RecursionError:
         raise BadInput(f'nested deeper than {MAX_DEPTH}') from None
     except NOT_YAML as error:
-        raise _NotYaml(f'not valid YAML: {" ".join(str(error).split())}') from None
+        raise NotYaml(f'not valid YAML: {" ".join(str(error).split())}') from None
 
 
 def mapping_of(text: str, what: str) -> dict:
     """Return the mapping that a YAML text holds, or refuse it in one line."""
     try:
         tree = value_of(text)
-    except _NotYaml as error:
+    except NotYaml as error:
         raise BadInput(f'{what} is {error}') from None
     except BadInput as error:
         raise BadInput(f'{what}: {error}') from None

@@ -4,6 +4,8 @@ Messages out of MCAP files: which, in which order, and what a bad file is.
 
 from io import BytesIO
 
+from mcap.records import Chunk
+from mcap.stream_reader import StreamReader
 from mcap.writer import CompressionType, Writer
 import pytest
 
@@ -69,12 +71,19 @@ def test_a_file_that_was_cut_off_is_not_complete(path):
 
 @pytest.mark.parametrize('compression, magic', [
     (CompressionType.ZSTD, b'\x28\xb5\x2f\xfd'), (CompressionType.LZ4, b'\x04\x22\x4d\x18')])
-def test_a_damaged_chunk_ends_the_file_or_is_refused_by_name(path, compression, magic):
+def test_a_damaged_chunk_is_left_out_and_said_or_refused_by_name(path, compression, magic):
     whole = content(MESSAGES, compression)
+    chunks = [record for record in StreamReader(BytesIO(whole), emit_chunks=True).records
+              if isinstance(record, Chunk)]
+    lost = range(chunks[1].message_start_time, chunks[1].message_end_time + 1)
     second = whole.index(magic, whole.index(magic) + 1)
     path.write_bytes(whole[:second] + bytes(4) + whole[second + 4:])
-    found = list(MessageFile(path))
-    assert 0 < len(found) < 20 and [(s.topic, s.data) for s in found] == MESSAGES[:len(found)]
+    file = MessageFile(path)
+    found = list(file)
+    assert 0 < lost.start < lost.stop < 20 and file.complete
+    assert [(s.log_ns, s.topic, s.data) for s in found] == [
+        (i, *message) for i, message in enumerate(MESSAGES) if i not in lost]
+    assert len(file.damage) == 1 and 'a chunk of messages: cannot be unpacked' in file.damage[0]
     with pytest.raises(ValueError, match='a.mcap: not a readable MCAP file'):
         list(MessageFile(path, refuse_damage=True))
 

@@ -4,7 +4,7 @@ import pytest
 import rclpy
 
 from rvd_dynamics.diagram.ros.arguments import parsed
-from rvd_dynamics.diagram.ros.host import HANDFUL, Host
+from rvd_dynamics.diagram.ros.host import BEAT_NS, HANDFUL, Host
 from rvd_dynamics.diagram.ros.main import make, wanted
 
 WATCHED = {                             # of each process, by the picture in lunar_approach/diagram.py
@@ -73,7 +73,8 @@ def _goes_out_at_once(host, topic):
 def test_a_process_of_one_block_keeps_nothing(process):
     host = process('onboard')
     assert _goes_out_at_once(host, '/onboard/thruster_command')
-    assert len(host.firing) == 1 and not list(host.nodes['onboard_guard'].timers)
+    timers = list(host.nodes['onboard_guard'].timers)      # of which only the heartbeat's is left
+    assert len(host.firing) == 1 and [t.timer_period_ns for t in timers] == [BEAT_NS]
 
 
 def test_a_handful_goes_out_in_order_without_waiting_for_the_timer(process):

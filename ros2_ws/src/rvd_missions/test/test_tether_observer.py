@@ -65,7 +65,8 @@ def test_one_measurement_at_a_time_is_the_textbook_correction():
     for which in range(3):
         only = np.where(np.arange(3) == which, z, np.nan)[np.newaxis]
         x, cov = X[np.newaxis].copy(), covariance()[np.newaxis]
-        observer.correct(x, cov, only, sigma, ALONG, 101.0)
+        missed = np.zeros((1, 3), dtype=np.int64)
+        observer.correct(x, cov, only, sigma, ALONG, 101.0, np.inf, 1, missed)
         h = slopes(seen, X)[which]
         gain = covariance() @ h/(h @ covariance() @ h + sigma[which]**2)
         assert_allclose(x[0], X + gain*(z - seen(X))[which], rtol=1e-5, atol=1e-7)

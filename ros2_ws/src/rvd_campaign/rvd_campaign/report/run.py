@@ -71,7 +71,7 @@ def write_report(run_dir: Path) -> Path:
 def _doubts_told(verdict: Path) -> list[str]:
     """Return why the flight itself said that it is not to be trusted."""
     try:
-        told = object_of(verdict, 'the verdict').get('doubts', [])
+        told = object_of(verdict, 'verdict').get('doubts', [])
     except (BadInput, OSError):                 # a bag alone, or one that is not ours
         return []
     return [str(doubt) for doubt in told] if isinstance(told, list) else []

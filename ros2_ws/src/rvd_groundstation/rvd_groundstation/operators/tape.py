@@ -99,7 +99,7 @@ def read_tape(path: str | Path, topic: str = TOPIC) -> Tape:
                 f'{shlex.quote(str(path))} --dst {shlex.quote(str(path.with_suffix("")))}')
         return _read_csv(path)
     except OSError as error:
-        raise BadInput(f'{path}: cannot read the tape: {error.strerror or error}') from None
+        raise BadInput(f'cannot read tape {path}: {error.strerror or error}') from None
 
 
 class _Samples:

@@ -16,7 +16,7 @@ from rvd_dynamics.diagram import scenario as scenarios
 from rvd_dynamics.diagram.identity import own_run
 from rvd_dynamics.diagram.params import dotted
 from rvd_dynamics.diagram.scenario import check_keys, nearest, Scenario, SHARED
-from rvd_dynamics.given import text_of, value_of
+from rvd_dynamics.given import NotYaml, text_of, value_of
 
 OF_THE_PROCESS = ('group',)             # parameters that are no part of the scenario
 
@@ -120,6 +120,8 @@ def parsed(argv: list[str]) -> Arguments:
             node, _, key = key.rpartition(':')
             try:
                 given = value_of(value)
+            except NotYaml as error:
+                raise BadInput(f'{flag} {word}: the value is {error}') from None
             except BadInput as error:
                 raise BadInput(f'{flag} {word}: {error}') from None
             if key in OF_THE_PROCESS:
