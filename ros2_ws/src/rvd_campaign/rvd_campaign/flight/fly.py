@@ -263,6 +263,8 @@ class Flight:
             if self._is_final(self._watch.verdict):
                 self._wait_for_the_nodes()
                 return None
+            if by := self._supervisor.ended_by():
+                return self._after(by)
             failures = self._supervisor.failures()
             if failures and self._is_final(self._outcome()[0]):     # one that could not leave
                 self._wait_for_the_nodes()
@@ -295,6 +297,18 @@ class Flight:
                 return self._vigil.in_words(lost, self._owed_by({s.name for s in lost}))
             if self._stalled(now):
                 return f'no step for {STALL_S:g} s of wall time: {self._owing()}'
+
+    def _after(self, ended_by: str) -> str | None:
+        """
+        Wait for what a bring-up leaves that a signal has ended; say so unless the run is over.
+
+        What a process in its start answers to a signal is no failure of its own.
+        """
+        deadline = time.monotonic() + END_S
+        while not self._supervisor.ended and time.monotonic() < deadline:
+            deadline += self._look(SHOW_S)
+        return None if self._is_final(self._outcome()[0]) else (
+            f'{ended_by} before the run was over')
 
     def _gone(self) -> list[str]:
         """Return our nodes that have ended well, as all do within `END_S` once the run is over."""
