@@ -114,7 +114,9 @@ def test_a_run_does_not_go_on_without_a_node_that_somebody_has_ended(name, flyin
     in_flight(tmp_path / 'run', steps=2)
     os.kill(node_pid(process.pid, name), signal.SIGTERM)
     assert process.wait(60.0) == 2
-    assert f'{name} ended before the run was over' in (tmp_path / 'out').read_text()
+    said = (tmp_path / 'out').read_text()
+    assert f's {name} has ended, and the run is not over' in said
+    assert f'{name} ended before the run was over' in said
 
 
 @pytest.mark.slow
@@ -253,6 +255,29 @@ def test_a_process_that_computes_is_given_longer_than_one_that_hangs(
     finally:
         process.kill()
         process.wait()
+
+
+@pytest.mark.parametrize('final, said', [
+    (-1, 'law ended before the run was over'), (9, 'the run ended without a verdict')])
+def test_who_ended_while_the_plant_knew_of_no_last_step_is_named(
+        final, said, monkeypatch, tmp_path, capsys):
+    flight = object.__new__(fly.Flight)
+    flight._headless, flight._on_line, flight._stop_asked = True, False, lambda: False
+    flight._early, flight._silences = [], []
+    flight._roster = SimpleNamespace(diagram=SimpleNamespace(externals=()),
+                                     processes=(Process('law', '', '', ('law',), False),))
+    page = Pulse()
+    page.flown, page.final = 3, final
+    flight._run = SimpleNamespace(step_s=0.5)
+    flight._supervisor = SimpleNamespace(codes={'law': 0}, ended=True, failures=dict, ended_by=str,
+                                         complaint=str, pulse=page)
+    flight._watch = SimpleNamespace(steps=4, verdict=None, strangers=[])
+    monkeypatch.setattr(flight, '_look', lambda s: 0.0)
+    monkeypatch.setattr(flight, '_outcome', lambda: (None, {}))
+    assert flight._follow() == said
+    out = 'law has ended, and the run is not over'
+    assert (out in capsys.readouterr().out) == (final < 0)
+    assert page.heard(0)[0] == ([('ENDED_EARLY', 3, out)] if final < 0 else [])
 
 
 @pytest.mark.parametrize('final', [True, False])
