@@ -13,8 +13,8 @@
 # Prints `start NAME PID` for each process and `exit NAME CODE` when it has ended; ends when all
 # have. On SIGINT, SIGTERM or SIGHUP, or when one has failed, it ends them: the recorder last, so
 # that the bag holds what the others said at the end, and by SIGKILL what does not go; on SIGUSR1,
-# which comes when `fly` was killed, within 4 seconds. Nodes do not outlive it, however it ends
-# (rvd_dynamics/lifeline.py). Exit code 0 if every process ended well.
+# which comes when `fly` was killed, within 4 seconds. It tells of a signal: `told SIGNAL`. Nodes
+# do not outlive it, however it ends (lifeline.py). Exit code 0 if every process ended well.
 
 [ -n "${BASH_VERSION:-}" ] || exec bash "$0" "$@"        # as `sh bringup.sh`
 set +o posix
@@ -75,15 +75,21 @@ stop() {
     stage=others
     end_within $STOP_S $(others)
 }
+told() {                                # told SIGNAL
+    [ $stage != run ] || say "told $1"
+    stop
+}
 hurry() {                               # nobody waits for this run any more
     STOP_S=2.5 BAG_S=1.5
     case $stage in
-        run) stop ;;
+        run) told SIGUSR1 ;;
         others) end_within $STOP_S $(others) ;;
         recorder) end_within $BAG_S $recorder ;;
     esac
 }
-trap stop INT TERM HUP
+trap 'told SIGINT' INT
+trap 'told SIGTERM' TERM
+trap 'told SIGHUP' HUP
 trap hurry USR1
 trap 'kill -KILL $(jobs -p) 2>/dev/null' EXIT
 

@@ -5,6 +5,7 @@ import signal
 import subprocess
 import sys
 import time
+from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
@@ -12,7 +13,7 @@ from runs import (
     alive, end, in_flight, messages, node_pid, pids_under, rvd, start_rvd, verdict_of,
     wait_for)
 
-from rvd_campaign.flight import fly, vigil
+from rvd_campaign.flight import fly, supervisor, vigil
 from rvd_campaign.flight.supervisor import Supervisor
 from rvd_dynamics.diagram.roster import Process
 from rvd_dynamics.pulse import Pulse
@@ -113,7 +114,60 @@ def test_a_run_does_not_go_on_without_a_node_that_somebody_has_ended(name, flyin
     in_flight(tmp_path / 'run', steps=2)
     os.kill(node_pid(process.pid, name), signal.SIGTERM)
     assert process.wait(60.0) == 2
-    assert f'{name} ended before the run was over' in (tmp_path / 'out').read_text()
+    said = (tmp_path / 'out').read_text()
+    assert f's {name} has ended, and the run is not over' in said
+    assert f'{name} ended before the run was over' in said
+
+
+@pytest.mark.slow
+@pytest.mark.patient
+@pytest.mark.parametrize('number, words', [
+    ('SIGTERM', 'the bring-up was told to end (SIGTERM)'),
+    ('SIGKILL', 'the bring-up was ended by SIGKILL')])
+def test_a_signal_to_the_bring_up_is_named(number, words, flying, tmp_path):
+    process = flying('--pace', 'realtime', '--processes', 'one')
+    in_flight(tmp_path / 'run', steps=2)
+    node = node_pid(process.pid, 'one')
+    bring_up = int(Path(f'/proc/{node}/stat').read_text().rsplit(')', 1)[1].split()[1])
+    os.kill(bring_up, signal.Signals[number])
+    assert process.wait(60.0) == 2
+    assert f'rvd fly: {words} before the run was over' in (tmp_path / 'out').read_text()
+    assert not alive(node)
+
+
+BRING_UP = '''#!/bin/bash
+trap 'TOLD; kill $!; wait $!; echo exit law 143; exit 143' TERM
+sleep 60 >/dev/null &
+echo start law $!
+wait
+'''
+
+
+@pytest.mark.parametrize('told', [True, False])
+def test_what_processes_answer_to_the_end_of_the_bring_up_is_no_failure_of_theirs(
+        told, monkeypatch, tmp_path):
+    """One that only starts ends with 143; a bring-up that says nothing leaves it to be blamed."""
+    script = tmp_path / 'bringup.sh'
+    script.write_text(BRING_UP.replace('TOLD', 'echo told SIGTERM' if told else ':'))
+    script.chmod(0o755)
+    roster = SimpleNamespace(processes=(), diagram=SimpleNamespace(externals=()))
+    monkeypatch.setattr(supervisor, 'lines', lambda *arguments: [])
+    flight = object.__new__(fly.Flight)
+    flight._stop_asked = lambda: False
+    flight._roster = roster
+    flight._supervisor = Supervisor(script, tmp_path / 's.yaml', tmp_path, True, 0, roster, 'run')
+    flight._watch = SimpleNamespace(steps=1, verdict=None, strangers=[])
+    monkeypatch.setattr(flight, '_look', lambda s: time.sleep(0.05) or 0.0)
+    monkeypatch.setattr(flight, '_outcome', lambda: (None, {}))
+    try:
+        wait_for(lambda: flight._supervisor.poll() or flight._supervisor.pids, 'its first word')
+        os.kill(flight._supervisor._process.pid, signal.SIGTERM)
+        wait_for(lambda: flight._supervisor.poll() or flight._supervisor.codes, 'the end')
+        assert flight._follow() == (
+            'the bring-up was told to end (SIGTERM) before the run was over' if told
+            else 'law was ended by signal 15')
+    finally:
+        flight._supervisor.stop()
 
 
 def test_what_only_a_node_can_refuse_is_told_in_one_line(tmp_path):
@@ -203,6 +257,29 @@ def test_a_process_that_computes_is_given_longer_than_one_that_hangs(
         process.wait()
 
 
+@pytest.mark.parametrize('final, said', [
+    (-1, 'law ended before the run was over'), (9, 'the run ended without a verdict')])
+def test_who_ended_while_the_plant_knew_of_no_last_step_is_named(
+        final, said, monkeypatch, tmp_path, capsys):
+    flight = object.__new__(fly.Flight)
+    flight._headless, flight._on_line, flight._stop_asked = True, False, lambda: False
+    flight._early, flight._silences = [], []
+    flight._roster = SimpleNamespace(diagram=SimpleNamespace(externals=()),
+                                     processes=(Process('law', '', '', ('law',), False),))
+    page = Pulse()
+    page.flown, page.final = 3, final
+    flight._run = SimpleNamespace(step_s=0.5)
+    flight._supervisor = SimpleNamespace(codes={'law': 0}, ended=True, failures=dict, ended_by=str,
+                                         complaint=str, pulse=page)
+    flight._watch = SimpleNamespace(steps=4, verdict=None, strangers=[])
+    monkeypatch.setattr(flight, '_look', lambda s: 0.0)
+    monkeypatch.setattr(flight, '_outcome', lambda: (None, {}))
+    assert flight._follow() == said
+    out = 'law has ended, and the run is not over'
+    assert (out in capsys.readouterr().out) == (final < 0)
+    assert page.heard(0)[0] == ([('ENDED_EARLY', 3, out)] if final < 0 else [])
+
+
 @pytest.mark.parametrize('final', [True, False])
 def test_a_node_that_fails_when_the_bag_has_the_verdict_takes_nothing_with_it(
         final, monkeypatch, tmp_path, capsys):
@@ -212,7 +289,7 @@ def test_a_node_that_fails_when_the_bag_has_the_verdict_takes_nothing_with_it(
     flight._run_dir = tmp_path
     flight._roster = SimpleNamespace(diagram=SimpleNamespace(externals=()))
     flight._supervisor = SimpleNamespace(pids={'world': 1}, codes={'world': 1}, ended=True,
-                                         failures=lambda: {'world': 1}, left=dict)
+                                         failures=lambda: {'world': 1}, left=dict, ended_by=str)
     flight._vigil = SimpleNamespace(look=list)
     flight._watch = SimpleNamespace(spin=lambda s: None, new_events=list, steps=0, verdict=None,
                                     strangers=[])

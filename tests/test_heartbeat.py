@@ -75,6 +75,11 @@ def test_every_process_that_is_stopped_is_named_and_one_that_stays_so_ends_the_f
     assert not any(alive(pid) for pid in pids.values())
     steps = states(tmp_path / 'run', '/truth/relative_state')[:, -1]
     assert list(steps) == list(range(len(steps)))
+    told = read(tmp_path / 'run').events        # the recorder has it, too, that was stopped itself
+    for name in pids:
+        assert any(e.code == 'SILENT' and e.text.startswith(f'{name} ') for e in told), name
+    assert [e.text for e in told if e.code == 'GIVEN_UP'] == [last[0].removeprefix('rvd fly: ')]
+    assert last[0].removeprefix('rvd fly: ') in page(read(tmp_path / 'run'))
 
 
 @pytest.mark.slow
@@ -92,6 +97,9 @@ def test_a_recorder_that_was_stopped_until_the_end_records_it_all(flying, tmp_pa
     assert verdict['recording'] == {'complete': True, 'steps_flown': STEPS, 'steps_stored': STEPS,
                                     'missing': {}}
     assert len(states(tmp_path / 'run', '/truth/relative_state')) == STEPS
+    let_go = 'bag_recorder was stopped; the run is over, and it is let go on'
+    assert verdict['silences'][-1]['said'] == let_go
+    assert [e.text for e in read(tmp_path / 'run').events if e.code == 'SILENT'][-1] == let_go
 
 
 class Stopped:

@@ -5,6 +5,8 @@ Whoever starts a run makes the page and hands it on with the environment: it has
 disk and no middleware, and goes with the last process that has it. A process notes the time at
 each turn of its loop and at each firing, so that one that is stopped, hangs or computes falls
 silent. The plant notes how far the run has come; the recorder counts by that what it never heard.
+Who started the run notes in words what it sees of the processes, and the recorder puts that into
+the bag, even what was said while it stood still itself.
 
 Source  memfd_create(2); CLOCK_MONOTONIC is one clock for all processes of a machine.
 """
@@ -16,8 +18,10 @@ import os
 PAGE = 'RVD_PULSE'              # environment: descriptor of the page
 NAME = 'rvd_pulse'              # of the page in /proc/PID/maps
 BEAT_S = 0.5                    # [s] wall time after which a process that has nothing to do beats
-FLOWN, FINAL, FIRST = 0, 1, 2   # words: newest step, last step, and the first of the processes
+# Words: newest step, last step, bytes that were said, and the first of the processes. Text follows.
+FLOWN, FINAL, SAID, FIRST = 0, 1, 2, 3
 WORD = 8                        # [bytes] int64, which the processor stores in one go
+TEXT = 1 << 16                  # [bytes] of all that is said in a run: some hundred sentences
 NO_STEP = -1
 
 
@@ -32,7 +36,7 @@ class Pulse:
     """
 
     def __init__(self, file: int = -1, places: int = 1) -> None:
-        size = WORD * (FIRST + places)
+        size = WORD * (FIRST + places) + TEXT
         self.file = file
         self._page = mmap.mmap(file, size)
         self._words = memoryview(self._page).cast('q')
@@ -43,7 +47,7 @@ class Pulse:
     def shared(cls, places: int) -> 'Pulse':
         """Make a page for so many processes, which they inherit by its descriptor."""
         file = os.memfd_create(NAME, os.MFD_CLOEXEC | os.MFD_ALLOW_SEALING)
-        os.ftruncate(file, WORD * (FIRST + places))
+        os.ftruncate(file, WORD * (FIRST + places) + TEXT)
         fcntl.fcntl(file, fcntl.F_ADD_SEALS, fcntl.F_SEAL_SHRINK | fcntl.F_SEAL_GROW)
         made = cls(file, places)
         made.flown = made.final = NO_STEP
@@ -55,7 +59,7 @@ class Pulse:
         try:
             file = int(os.environ.get(PAGE, ''))
             if f'/memfd:{NAME} ' in os.readlink(f'/proc/self/fd/{file}'):
-                return cls(file, os.fstat(file).st_size // WORD - FIRST)
+                return cls(file, (os.fstat(file).st_size - TEXT) // WORD - FIRST)
         except (ValueError, OSError):
             pass
         return cls()
@@ -94,8 +98,23 @@ class Pulse:
     def final(self, step: int) -> None:
         self._words[FINAL] = step
 
+    def say(self, code: str, step: int, words: str) -> None:
+        """Note what was seen of the processes at `step`; who started the run alone does."""
+        line = f'{code} {step} {" ".join(words.split())}\n'.encode()
+        begin = len(self._page) - TEXT + self._words[SAID]
+        if begin + len(line) <= len(self._page):
+            self._page[begin:begin + len(line)] = line
+            self._words[SAID] += len(line)      # now it is there
+
+    def heard(self, known: int) -> tuple[list[tuple[str, int, str]], int]:
+        """Return what was said beyond the first `known` bytes, and how many there are now."""
+        begin, end = len(self._page) - TEXT, self._words[SAID]
+        lines = self._page[begin + known:begin + end].decode().splitlines()
+        return [(code, int(step), words) for code, step, words in
+                (line.split(' ', 2) for line in lines)], end
+
     def __len__(self) -> int:
-        return len(self._words) - FIRST
+        return (len(self._page) - TEXT) // WORD - FIRST
 
     def handed_on(self) -> None:
         """Close the descriptor, which others have inherited by now; the page stays."""

@@ -235,6 +235,33 @@ def test_a_recorder_that_never_heard_the_end_counts_by_what_the_plant_has_noted(
     page.handed_on()
 
 
+@pytest.mark.parametrize('said', [True, False])
+def test_what_is_said_of_the_processes_is_an_event_in_the_bag(ros, tmp_path, said):
+    """While it records, and what was said while the recorder itself was stopped."""
+    page = Pulse.shared(2)
+    made = Recorder(ros, tmp_path, '[bag_recorder, relative_sensor]', page)
+    made.until(made.matched)
+    made.send('/run/scenario', String(data='scenario'))
+    made.send('/onboard/downlink', LinkFrame(step=0))
+
+    def events():
+        return [(e.step, e.node, e.code, e.text) for e in (
+            deserialize_message(data, RunEvent) for data in made.stored().get('/run/events', ()))]
+    expected = []
+    if said:
+        page.say('SILENT', 7, 'law has given no sign')
+        expected = [(7, 'rvd_fly', 'SILENT', 'law has given no sign')]
+        made.until(lambda: events() == expected)
+        made.process.send_signal(signal.SIGSTOP)
+        page.say('GIVEN_UP', 9, 'bag_recorder is stopped')
+        expected += [(9, 'rvd_fly', 'GIVEN_UP', 'bag_recorder is stopped')]
+    made.process.send_signal(signal.SIGTERM)
+    made.process.send_signal(signal.SIGCONT)
+    assert made.process.wait(timeout=20) == 0
+    assert events() == expected
+    page.handed_on()
+
+
 @pytest.mark.parametrize('argument, complaint', [
     ("bag_dir:=''", 'bag_dir must name a directory'),
     ('bag_dir:=/proc/nowhere', 'bag_dir /proc/nowhere: '),

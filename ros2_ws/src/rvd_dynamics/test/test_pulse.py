@@ -30,6 +30,23 @@ def test_what_a_process_notes_the_one_that_made_the_page_sees():
     page.handed_on()
 
 
+def test_what_is_said_on_the_page_is_heard_once_and_never_beyond_its_end():
+    page = Pulse.shared(2)
+    assert page.heard(0) == ([], 0)
+    page.say('SILENT', 3, 'law has given\nno sign')
+    page.say('GIVEN_UP', 4, 'the end \u2713')
+    said, known = page.heard(0)
+    assert said == [('SILENT', 3, 'law has given no sign'), ('GIVEN_UP', 4, 'the end \u2713')]
+    assert page.heard(known) == ([], known)
+    for k in range(1000):
+        page.say('SILENT', k, 'x'*100)
+    said, known = page.heard(known)
+    assert known <= pulse.TEXT < known + 200
+    assert [step for _, step, _ in said] == list(range(len(said)))
+    assert page.beaten_s(0) is None and page.beaten_s(1) is None and page.flown == -1
+    page.handed_on()
+
+
 @pytest.mark.parametrize('given', ['', 'x', '-1', '77777', '1e3', 'another file'])
 def test_without_a_page_a_process_has_one_of_its_own(given, monkeypatch, tmp_path):
     with (tmp_path / 'file').open('w+b') as other:

@@ -28,6 +28,7 @@ from rvd_dynamics.diagram.scenario import load
 
 STEPS = {'blocks': 20_000, 'segments': 40_000, 'one': 60_000}   # measured; each takes minutes
 QUICK = {'one': 6_000}
+STEP_S = 0.08                   # [s] simulation time: a million steps are less than a day
 WARM_UP_STEPS = 2*DEPTH         # [steps] after which every history of DDS is full
 MAX_BYTES = 16.0                # [bytes] a step and node: 16 MB in a million steps
 PERIOD_S = 0.5                  # [s] wall time between two notes
@@ -37,9 +38,11 @@ SCENARIO = """
   ros__parameters:
     pace: lockstep
     processes: {processes}
-    step_s: 0.1
+    step_s: {step_s}
+    forward_delay_s: 4.0
+    back_delay_s: 4.0
     timeout_s: {timeout_s}
-    start: {{position_m: [-9000.0, 0.0, 0.0]}}
+    start: {{position_m: [-90000.0, 0.0, 0.0]}}
 """
 
 
@@ -91,7 +94,8 @@ def fly(processes: str, steps: int, folder: Path, domain: int) -> Notes:
     """
     last = WARM_UP_STEPS + steps
     path = folder / 'scenario.yaml'
-    path.write_text(SCENARIO.format(processes=processes, timeout_s=0.1*(last + 1000)))
+    path.write_text(SCENARIO.format(processes=processes, step_s=STEP_S,
+                                    timeout_s=STEP_S*(last + 1000)))
     (folder / 'logs').mkdir()
     roster = listed(load(path), headless=False)
     supervisor = Supervisor(catalogue.root() / 'scripts' / 'bringup.sh', path, folder, False,

@@ -15,13 +15,13 @@ from pathlib import Path
 from typing import Any, Callable
 
 from rvd_campaign import catalogue
-from rvd_campaign.flight import kept, room, verdict
+from rvd_campaign.flight import kept, room, verdict, vigil
 from rvd_dynamics.bad_input import one_line
 from rvd_dynamics.recording import drawing, reader, whole
 from rvd_campaign.exits import (
     CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_FAILED, EXIT_FAULT, EXIT_INTERRUPTED)
 from rvd_dynamics.diagram.identity import new_run
-from rvd_dynamics.diagram.roster import listed
+from rvd_dynamics.diagram.roster import ENDED_EARLY, GIVEN_UP, listed, SILENT
 from rvd_dynamics.diagram.scenario import load, Scenario
 from rvd_campaign.interrupts import uninterrupted
 from rvd_campaign.flight.supervisor import Supervisor
@@ -201,6 +201,8 @@ class Flight:
         self._vigil = Vigil(
             self._roster.processes, self._supervisor.pulse, self._supervisor.left,
             [name for name, e in self._roster.externals.items() if e.foreign or e.viewer])
+        self._early: list[str] = []             # who ended before the run was over
+        self._silences: list[dict[str, Any]] = []           # what was said of processes, and when
         self._shown_at, self._shown = 0.0, ''
         self._on_line = False
 
@@ -209,6 +211,9 @@ class Flight:
         problem, interrupted = None, False
         try:
             problem = self._follow()
+            if problem is not None:             # the bag ends with it, where there still is one
+                self.problem = problem
+                self._supervisor.pulse.say(GIVEN_UP, self._step, problem)
         except KeyboardInterrupt:
             interrupted = True
         finally:
@@ -219,7 +224,6 @@ class Flight:
                 self._end_line()
                 room.give(self._run_dir)        # whoever could have taken it has ended
         if problem is not None:
-            self.problem = problem
             print(f'rvd fly: {problem}', file=sys.stderr)
             if set(self._supervisor.failures().values()) != {EXIT_CANNOT}:      # that says it all
                 print(f'rvd fly: logs are in {self._run_dir / "logs"}', file=sys.stderr)
@@ -231,6 +235,7 @@ class Flight:
         doubts, trust = second_opinion.asked(
             self._run_dir, self._scenario, None if interrupted else last, self._watch.strangers)
         content = verdict.as_dict(judged, links, self._scenario, held) | trust
+        content['silences'] = self._silences
         verdict.write(self._run_dir / 'verdict.json', content)
         if doubts:
             self.problem = f'not to be trusted: {"; ".join(doubts)}'
@@ -264,6 +269,10 @@ class Flight:
                 self._wait_for_the_nodes()
                 return None
             failures = self._supervisor.failures()
+            if by := self._supervisor.ended_by():               # it says so before anybody ends
+                return self._after(by)
+            gone = self._gone()
+            self._say_who_is_early(gone)
             if failures and self._is_final(self._outcome()[0]):     # one that could not leave
                 self._wait_for_the_nodes()
                 return None
@@ -273,9 +282,10 @@ class Flight:
             if self._supervisor.ended:
                 if self._is_final(self._outcome()[0]):
                     return None
-                return self._supervisor.complaint() or 'the run ended without a verdict'
+                return self._supervisor.complaint() or (
+                    f'{", ".join(self._early)} ended before the run was over' if self._early
+                    else 'the run ended without a verdict')
             now = time.monotonic()
-            gone = self._gone()
             if gone:                            # told to, by somebody else; the others go on
                 gone_at = now if gone_at is None else gone_at + stopped_s
                 if now - gone_at > END_S:
@@ -296,11 +306,33 @@ class Flight:
             if self._stalled(now):
                 return f'no step for {STALL_S:g} s of wall time: {self._owing()}'
 
+    def _after(self, ended_by: str) -> str | None:
+        """
+        Wait for what a bring-up leaves that a signal has ended; say so unless the run is over.
+
+        What a process in its start answers to a signal is no failure of its own.
+        """
+        deadline = time.monotonic() + END_S
+        while not self._supervisor.ended and time.monotonic() < deadline:
+            deadline += self._look(SHOW_S)
+        return None if self._is_final(self._outcome()[0]) else (
+            f'{ended_by} before the run was over')
+
     def _gone(self) -> list[str]:
         """Return our nodes that have ended well, as all do within `END_S` once the run is over."""
         foreign = {e.name for e in self._roster.diagram.externals if e.foreign}
         return sorted(name for name, code in self._supervisor.codes.items()
                       if code == 0 and name not in foreign)
+
+    def _say_who_is_early(self, gone: list[str]) -> None:
+        """Say which nodes have ended well, as if told to, while the plant knows of no last step."""
+        if not gone or self._supervisor.pulse.final >= 0:
+            return
+        words = {process.name: vigil.in_words(process) for process in self._roster.processes}
+        for name in gone:
+            if name not in self._early:
+                self._early.append(name)
+                self._say(f'{words[name]} has ended, and the run is not over', ENDED_EARLY)
 
     def _look(self, seconds: float) -> float:
         """
@@ -430,11 +462,17 @@ class Flight:
 
     # -- what is shown --------------------------------------------------------------------
 
-    def _say(self, sentence: str) -> None:
+    def _say(self, sentence: str, code: str = SILENT) -> None:
         """Say what has happened to the processes of the run."""
         self._end_line()
-        step = max(self._supervisor.pulse.flown, 0)
-        print(f'  {step * self._run.step_s:.1f} s {sentence}', flush=True)
+        t = self._step * self._run.step_s
+        self._silences.append({'t_s': t, 'said': sentence})
+        self._supervisor.pulse.say(code, self._step, sentence)
+        print(f'  {t:.1f} s {sentence}', flush=True)
+
+    @property
+    def _step(self) -> int:
+        return max(self._supervisor.pulse.flown, 0)
 
     def _show(self) -> None:
         for event in self._watch.new_events():

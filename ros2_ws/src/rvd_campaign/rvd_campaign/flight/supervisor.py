@@ -40,6 +40,7 @@ class Supervisor:
         self.pids: dict[str, int] = {}
         self.codes: dict[str, int] = {}
         self._ended_by_us: set[str] = set()
+        self._told_to_end = ''                  # the signal that the bring-up got
         self._verdict_line = verdict_line.VerdictLine()
         self.pulse = Pulse.shared(len(roster.processes))
         line, self._line = os.pipe()            # ours alone: it is cut when this process ends
@@ -76,6 +77,8 @@ class Supervisor:
                 self.pids[words[1]] = int(words[2])
             elif words[:1] == ['exit']:
                 self.codes[words[1]] = int(words[2])
+            elif words[:1] == ['told']:
+                self._told_to_end = words[1]
 
     @property
     def ended(self) -> bool:
@@ -89,6 +92,15 @@ class Supervisor:
     def code(self) -> int:
         """Exit code of the bring-up, once ended."""
         return self._process.returncode
+
+    def ended_by(self) -> str:
+        """Say which signal has ended the bring-up, or is about to; empty where none has."""
+        self.poll()
+        if self._told_to_end:
+            return f'{BRINGUP} was told to end ({self._told_to_end})'
+        if self.ended and self.code < 0:
+            return f'{BRINGUP} was ended by {_name_of(-self.code)}'
+        return ''
 
     def failures(self) -> dict[str, int]:
         """Return the nodes that ended with an error, with their codes."""
@@ -155,6 +167,14 @@ class Supervisor:
         if self._line >= 0:
             os.close(self._line)
             self._line = -1
+
+
+def _name_of(number: int) -> str:
+    """Return the name of a signal; real-time ones have numbers alone."""
+    try:
+        return signal.Signals(number).name
+    except ValueError:
+        return f'signal {number}'
 
 
 def _signal(pid: int, number: int) -> None:

@@ -18,7 +18,7 @@ from rvd_campaign.report.page import Drawn, render
 from rvd_dynamics.bad_input import BadInput, one_line
 from rvd_dynamics.commands import codes
 from rvd_dynamics.diagram.judge import Judged
-from rvd_dynamics.diagram.roster import SECOND_WRITER
+from rvd_dynamics.diagram.roster import ENDED_EARLY, GIVEN_UP, SECOND_WRITER, SILENT
 from rvd_dynamics.given import object_of
 from rvd_dynamics.link.channel import LINK_COUNTS
 from rvd_dynamics.recording import whole
@@ -29,6 +29,7 @@ from rvd_dynamics.recording.recording import Recording
 from rvd_dynamics.recording.series import Commands, LinkHistory, Series, SERIES, Table
 
 MOST_EVENTS = 1000              # rows of the table of events
+MOST_SILENCES = 10              # of them that stand above, too
 LARGEST = 1e12                  # no quantity of a run is larger; a figure of what is may fail
 YES, NO, DASH = '\u2713', '\u2717', '\u2013'
 DECIDED = {codes.BY_NOBODY: 'nobody (no valid input)', codes.BY_PILOT: 'pilot alone',
@@ -205,6 +206,8 @@ def _warnings(run: Recording) -> list[str]:
         said.append(f'The bag was cut off {where}; it holds nothing that came later.')
     elif not run.ended:
         said.append(f'The recording was stopped {where}, before the run ended.')
+    silences = [e for e in run.events if e.code in (SILENT, ENDED_EARLY, GIVEN_UP)]
+    said += [f'At {e.t:.1f} s: {one_line(e.text)}.' for e in silences[:MOST_SILENCES]]
     if any(run.missing.values()):
         said.append(f'Steps missing from the bag: {_listed(run.missing)}.')
     if any(run.lost.values()):

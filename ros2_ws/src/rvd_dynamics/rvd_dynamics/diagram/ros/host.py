@@ -75,6 +75,7 @@ class Host:
         self._unhurried: frozenset[str] = frozenset()
         self._later: list[tuple[Publisher, Any]] = []   # of those topics
         self._pulse, self._place = Pulse.inherited(), 0
+        self._heard = 0                         # [bytes] of what is said on the page
         self._beat_ns = self._looked_ns = self._diagnosed_ns = time.monotonic_ns()
         self._ended = False
         self._busy = False
@@ -229,6 +230,11 @@ class Host:
     def is_flown(self) -> tuple[int, bool]:
         """The newest step that the plant has noted, -1 if none, and whether it is the last one."""
         return self._pulse.flown, self._pulse.final >= 0
+
+    def news(self) -> list[tuple[str, int, str]]:
+        """Return what who started the run has said since the last call: code, step and words."""
+        said, self._heard = self._pulse.heard(self._heard)
+        return said
 
     def diagnose(self) -> None:
         """

@@ -11,7 +11,8 @@ The scenario is the first message. A message's log time is the simulation time o
 the newest step seen, for messages that belong to none), its publish time is wall time. Steps
 that never came, and messages that the disk did not take, are counted per topic and the counts
 stored as metadata records `rvd_missing` and `rvd_lost`. A message of a ring topic whose step cannot
-be, or after which its writer does not go on, is refused and not stored.
+be, or after which its writer does not go on, is refused and not stored. What `fly` sees of the
+processes of the run (SILENT, ENDED_EARLY, GIVEN_UP) is stored with the events, though nobody publishes it.
 """
 
 import struct
@@ -20,6 +21,7 @@ from pathlib import Path
 from typing import Callable
 
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from rclpy.serialization import serialize_message
 from std_msgs.msg import UInt64
 
 from rvd_dynamics.bad_input import BadInput
@@ -30,14 +32,17 @@ from rvd_dynamics.recording.rosbag2 import qos_words
 from rvd_dynamics.recording.steps import StepLedger, step_reader
 from rvd_dynamics.diagram.ros import qos
 from rvd_dynamics.diagram.ros.boundary import Refused
+from rvd_dynamics.diagram.ros.conversions import header_at
 from rvd_dynamics.diagram.ros.horizon import Horizon
 from rvd_dynamics.diagram.ros.host import Host, message_type
 from rvd_dynamics.diagram.ros.node import RunNode
 from rvd_dynamics.diagram.roster import COMMON, MONITOR, RECORDER, RECORDER_LEAD
+from rvd_interfaces.msg import RunEvent
 
 RECORDED_STEP = '/run/recorded_step'
 NOT_RECORDED = (RECORDED_STEP, '/parameter_events')     # our own, and what no run changes
-SCENARIO, VERDICT = '/run/scenario', '/run/verdict'
+SCENARIO, VERDICT, EVENTS = '/run/scenario', '/run/verdict', '/run/events'
+FLY = 'rvd_fly'                 # whoever follows a run from outside, as a node
 MOST_BYTES = 1 << 20            # of a message at each firing: ours have a few kB
 REPORT_EVERY = 16               # [steps]
 LOOK_PERIOD_S = 1.0             # [s] wall time between two looks for new topics
@@ -89,7 +94,7 @@ class BagRecorder(RunNode):
             if topic not in NOT_RECORDED:
                 self._record(topic, kind, self.quality(topic), qos.taken(topic, self.held))
         self._bag.describe()
-        self.create_timer(LOOK_PERIOD_S, self.guarded(self._look_for_topics))
+        self.create_timer(LOOK_PERIOD_S, self.guarded(self._look))
 
     @staticmethod
     def _open(directory: str) -> BagWriter:
@@ -231,6 +236,17 @@ class BagRecorder(RunNode):
         """Take viewers' topics in from the beginning."""
         self._look_for_topics()
 
+    def _look(self) -> None:
+        self._store_news()
+        self._look_for_topics()
+
+    def _store_news(self) -> None:
+        """Store what `fly` says of the processes: they may hear nothing, this one too."""
+        for code, step, text in self.host.news():
+            header = header_at(step * self.run.step_ns, self.run.frame_id)
+            self._stores[EVENTS](self.step, serialize_message(RunEvent(
+                header=header, step=step, node=FLY, code=code, text=text)))
+
     def _look_for_topics(self) -> None:
         """Record topics that are not in the graph's table, viewers' topics for instance."""
         for topic, kinds in self.get_topic_names_and_types():
@@ -284,6 +300,8 @@ class BagRecorder(RunNode):
         if self._bag is None:                   # it could not be opened
             return
         self._clear(self.step if self.host.final_step is None else self.host.final_step)
+        if EVENTS in self._stores:              # else it has not begun to listen
+            self._store_news()
         if self._early:
             self._begin(self._early)
         self.settle()
