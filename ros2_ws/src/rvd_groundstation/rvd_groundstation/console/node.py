@@ -74,7 +74,8 @@ class ConsoleNode(RunNode):
                  | set(self.roster.reads(NAME)) - set(RUN_TOPICS))
         self._signals = signals
         self._taken: dict[str, Callable] = {}   # by topic: what of a message can be
-        self._horizon = Horizon(self.run, self.run.last_step)
+        self._horizon = Horizon(self.run, self.run.last_step,
+                                made=host.bound_of(*self.roster.blocks))
         self._window = ReplayWindow()           # of telemetry
         self._kinds = {topic: topics[topic] for topic in sorted(heard)
                        if topic not in (*self.provider.sticks, LINK, display.commands.sent)
