@@ -21,7 +21,7 @@ from rvd_campaign.bench.attack import dds, flying, frames, kills, limits, texts
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.scenario import load
 from rvd_dynamics.link import frame
-from rvd_dynamics.link.frame import Refusal
+from rvd_dynamics.link.frame import Refusal, ReplayWindow
 from rvd_dynamics.onboard.guard.gate import Gate
 
 
@@ -68,6 +68,15 @@ def test_twin_without_one_check_of_the_gate_hostile_frames_are_accepted(without,
     # a command that is none of the form goes no further than the codec or the guard
     assert outcome.counts['accepted'] + outcome.counts['crashes'] > 0, outcome.counts
     assert outcome.failures
+
+
+def test_twin_without_the_replay_window_old_telemetry_is_accepted(monkeypatch):
+    paper = load(catalogue.find('scenarios', 'paper', ('.yaml',)))
+    assert frames.volley(paper, 0).failures == []
+    monkeypatch.setattr(ReplayWindow, 'takes', lambda self, number: True)
+    outcome = frames.volley(paper, 0)
+    assert outcome.counts['accepted'] > 0
+    assert all('link_back accepted a second time' in what for what in outcome.failures)
 
 
 # -- texts and limits ----------------------------------------------------------------------------

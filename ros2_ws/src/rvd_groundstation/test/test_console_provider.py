@@ -10,7 +10,7 @@ from rvd_dynamics.commands.codes import BY_AUTO, BY_PILOT, KIND_ABORT
 from rvd_dynamics.diagram.display import (
     as_data, CommandAxis, Commands, Display, Instrument, Instruments, Number, Reading)
 from rvd_dynamics.diagram.scenario import parse
-from rvd_dynamics.link.frame import pack_downlink
+from rvd_dynamics.link.frame import pack_downlink, ReplayWindow
 from rvd_groundstation.console.decode import (
     command_of_values, Heard, Lost, telemetry_of, values_of)
 from rvd_groundstation.console.provider import display_of, MissionDisplay
@@ -121,3 +121,6 @@ def test_telemetry_of_any_width_is_named_by_the_mission():
     assert isinstance(heard, Heard) and heard.sample.parts == {'x': 0.5, 'v': -1.0}
     assert (heard.sample.t, heard.sample.received, heard.sample.transit) == (2.0, 3.0, 0.75)
     assert isinstance(telemetry_of(frame, 0.5, 6, dict), Lost)
+    window = ReplayWindow()                     # a page shows each frame once
+    assert [telemetry_of(frame, 0.5, 2, dict.fromkeys, window) for _ in range(2)][1] == Lost(
+        6, 'ORDER')

@@ -8,6 +8,7 @@ round: without the boundary the same messages do harm.
 
 import contextlib
 from functools import lru_cache
+import time
 from types import SimpleNamespace
 
 import numpy as np
@@ -21,12 +22,13 @@ from rvd_campaign import catalogue
 from rvd_campaign.bench import hostile
 from rvd_dynamics.diagram.build import made
 from rvd_dynamics.diagram.block import Leg
-from rvd_dynamics.diagram.ros import boundary, horizon, inputs
+from rvd_dynamics.diagram.ros import boundary, horizon, inputs, monitor
 from rvd_dynamics.diagram.ros.boundary import content, Refused
 from rvd_dynamics.diagram.ros.codecs import Envelope
 from rvd_dynamics.diagram.ros.conversions import time_at
 from rvd_dynamics.diagram.ros.host import Host, listen_for_the_end, message_type
 from rvd_dynamics.diagram.ros.main import make
+from rvd_dynamics.diagram.ros.writers import LOOK_S
 from rvd_dynamics.diagram.scenario import load, parse
 from rvd_dynamics.link.signals import FRAME
 from rvd_interfaces.msg import Verdict
@@ -383,14 +385,178 @@ def test_the_judge_hears_the_truth_in_order_whatever_else_is_there():
         node.close()
 
 
-def test_a_gap_in_the_truth_that_is_none_of_a_strangers_still_ends_the_judge():
-    node = Alone('mission_monitor')
-    truth = node.of.diagram.truth
+LOOKS = round(monitor.GAP_S/LOOK_S)             # until what is due counts as lost
+
+
+class Judge(Alone):
+    """The judge alone; `noted`: newest and last step on the page of the run, None: no page."""
+
+    def __init__(self, noted=None):
+        super().__init__('mission_monitor')
+        self.truth = self.of.diagram.truth
+        self.host._is_told = noted is not None
+        if noted is not None:
+            self.note(*noted)
+
+    def note(self, made, end=-1):
+        self.host._pulse.flown, self.host._pulse.final = made, end
+
+    def tell(self, *steps, final=False):
+        for k in steps:
+            message = good(self.of, self.truth, k)
+            message.final = final
+            self.hear(self.truth.name, message)
+
+    def end(self, step):
+        self.node.subscriptions_of['/run/end'].callback(UInt64(data=step))
+        self.host.raise_error()
+
+    def look(self, times=LOOKS):
+        for _ in range(times):
+            self.node._look()
+
+
+@pytest.fixture
+def judge():
+    made = []
+
+    def make_one(*noted):
+        made.append(Judge(*noted))
+        return made[-1]
+    yield make_one
+    for each in made:
+        each.close()
+
+
+@pytest.mark.parametrize('noted, rest, end', [
+    ((40,), range(2, 30), None), ((40,), (2,), None),           # what the plant has made was sent
+    ((29, 29), range(2, 30), 29), ((2, 2), (2,), 2),            # also next to the end of the run
+    (None, range(2, 30), None), (None, (2,), 2)])
+def test_a_gap_in_the_truth_that_is_none_of_a_strangers_still_ends_the_judge(
+        noted, rest, end, judge):
+    one = judge(noted)
+    one.tell(0)
+    if end is not None:
+        one.end(end)
+        assert one.host.final_step == end
+    one.tell(*rest)
+    one.look(LOOKS - 1)
+    with pytest.raises(ValueError, match='truth jumps from step 0 to 2: a run with a gap'):
+        one.look(1)
+
+
+def test_a_gap_is_told_by_the_clock_of_the_process_itself(judge, monkeypatch):
+    monkeypatch.setattr(monitor, 'GAP_S', 0.3)
+    one, begun = judge((40,)), time.monotonic()
+    one.tell(0, 2)
+    with pytest.raises(ValueError, match='truth jumps from step 0 to 2'):
+        one.host.spin(lambda: time.monotonic() - begun > 30.0)
+
+
+def test_what_was_due_may_still_come_and_the_judge_goes_on(judge):
+    one = judge((40,))
+    one.tell(0, 2, 39)
+    one.look(LOOKS - 1)
+    one.tell(1)
+    one.look(2*LOOKS)
+    assert one.node.step == 1
+    one.tell(2)
+    assert one.node.step == 2 and one.node.refused_count == {one.truth.name: 2}
+
+
+def test_a_forged_end_with_a_forged_truth_ends_nobody_also_while_the_run_is_paused(judge):
+    one = judge((3,))
+    one.tell(0, 1, 2, 3)
+    for step in (3, 13, 40):                    # it stands at 3
+        one.end(step)
+        one.tell(step, final=True)
+    one.tell(4, 4, final=True)                  # what is due next, before there is one
+    one.look(3*LOOKS)
+    assert not one.host.ended and one.host.final_step is None and one.node.step == 3
+    assert one.node.refused_count == {'/run/end': 3, one.truth.name: 5}
+    one.note(5, 5)
+    one.tell(4, final=True)                     # made by now, but not the last
+    assert one.node.step == 3
+    one.end(5)
+    one.tell(4)
+    one.tell(5)                                 # the last, but does not say so
+    assert one.node.step == 4 and not one.node.finished
+    one.tell(5, final=True)
+    assert one.node.finished and one.host.ended
+
+
+def test_twin_without_the_word_of_the_plant_a_forged_end_and_truth_end_the_judge(judge):
+    one = judge()
+    one.tell(0, 1, 2, 3)
+    one.end(13)
+    one.tell(13, final=True)
+    with pytest.raises(ValueError, match='truth jumps from step 3 to 13'):
+        one.look(LOOKS)                         # nothing came: the run stood still
+
+
+def test_without_the_word_of_the_plant_it_is_enough_that_the_run_goes_on(judge):
+    one = judge()
+    one.tell(0, 1, 2, 3)
+    one.end(13)
+    one.tell(13, final=True)
+    one.look(LOOKS - 1)
+    one.tell(4)
+    one.look(LOOKS)
+    assert one.node.step == 4 and not one.host.ended
+
+
+@pytest.mark.parametrize('noted', [True, False])
+def test_an_end_at_the_present_step_is_believed_if_the_plant_has_noted_it(noted):
+    """The second case is the twin: by the message alone it cannot be told from the true one."""
+    node = Alone('auto_controller')
     try:
-        node.hear(truth.name, good(node.of, truth, 0))
-        with pytest.raises(ValueError, match='truth jumps from step 0 to 2: a run with a gap'):
-            for k in range(2, 30):
-                node.hear(truth.name, good(node.of, truth, k))
+        node.host._is_told, node.host._pulse.flown = noted, 1
+        node.step(0)
+        node.step(1)
+        node.host.ending.hear(UInt64(data=1))
+        assert node.node.finished != noted and (node.host.final_step is None) == noted
+        if noted:
+            assert node.events == [('REFUSED', '/run/end: step 1 is not the last: the run is at '
+                                    'step 1 and goes on: left out, as if it had not come')]
+            node.host._pulse.final = 1
+            node.host.ending.hear(UInt64(data=1))
+            assert node.host.ended              # at once: there is nothing to wait for
+            node.host.ending.goes_on(2)         # nor does it begin again
+            assert node.host.ended and node.host.final_step == 1
+    finally:
+        node.close()
+
+
+@pytest.mark.parametrize('pace, told, reached', [
+    ('realtime', True, 2 + horizon.AHEAD), ('realtime', False, 40), ('lockstep', True, 2),
+    ('lockstep', False, 40)])
+def test_steps_one_after_the_other_carry_no_node_past_what_the_plant_has_made(pace, told, reached):
+    """Without the plant's word they do, one by one, to the end of the run: the twins."""
+    node = Alone('onboard_guard', pace)
+    try:
+        node.host._is_told, node.host._pulse.flown = told, 2
+        for k in range(41):
+            node.hear('/onboard/command', good(node.of, node.signals['/onboard/command'], k))
+        assert node.node.step == reached
+        assert node.node.refused_count == ({'/onboard/command': 40 - reached} if told else {})
+        node.host._pulse.flown = 4
+        node.hear('/onboard/command', good(node.of, node.signals['/onboard/command'], 3))
+        assert pace == 'realtime' or not told or node.node.step == 3    # the run goes on
+    finally:
+        node.close()
+
+
+@pytest.mark.parametrize('pace', ['lockstep', 'realtime'])
+def test_the_clock_is_never_ahead_of_the_plant(pace):
+    node = Alone('operator_model', pace)
+    try:
+        if '/clock' not in node.node.subscriptions_of:
+            node.node._limit, node.node._instants = -1, horizon.Horizon(node.of.run, 40)
+        for told in (True, False):              # the second is the twin
+            node.host._is_told, node.host._pulse.flown = told, 2
+            for k in range(5):
+                node.node._on_clock(-1, Clock(clock=time_at(k*node.of.run.step_ns)))
+            assert node.node._limit == (2 if told else 4)
     finally:
         node.close()
 

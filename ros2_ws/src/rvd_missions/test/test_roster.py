@@ -1,8 +1,10 @@
 """Who takes part in a run, read from the diagram: closed, without a deadlock, and who owes."""
 
+from dataclasses import replace
 from functools import lru_cache
 from itertools import product
 import shlex
+from types import SimpleNamespace
 
 from hypothesis import given
 from hypothesis import strategies as st
@@ -250,6 +252,41 @@ def test_a_node_that_stops_is_the_one_that_owes(run, data):
         assert dead in roster.who_owes(last)
     else:
         assert roster.who_owes(last) == [dead]
+
+
+@pytest.mark.parametrize('run', [run for run in RUNS if run[2:] == ('barrier', 'blocks')],
+                         ids='-'.join)
+def test_no_block_of_the_approach_is_ahead_of_the_world(run):
+    """By another road: let each fire as far as it can while the world stands at a step."""
+    roster = ring(run)
+    reached = dict.fromkeys(roster.blocks, -1)
+    for _ in range(3 * len(reached)):
+        for name, block in roster.blocks.items():
+            if name == roster.diagram.plant:
+                reached[name] = 5               # the world; pilots and pages are further
+                continue
+            may = [99] if not roster.follows_clock(name) else [5]
+            for read in block.reads.values():
+                writer = roster.diagram.writer_of.get(read.signal.name)
+                if writer is not None and not read.held:
+                    may.append(reached[writer.name] + read.delay)
+            reached[name] = min(may)
+    assert {name for name, step in reached.items() if step > 5} == set()
+    assert roster.follow_world == set(roster.blocks)
+
+
+def test_a_block_that_waits_for_a_pilot_alone_may_be_ahead_of_the_world():
+    roster = Roster(scenario('joy', 'stepped', 'corridor_apf', 'blocks'))
+    blender = roster.blocks['command_blender']
+    alone = replace(blender, reads={name: read for name, read in blender.reads.items()
+                                    if read.signal.name not in roster.diagram.writer_of})
+    assert [read.signal.name for read in alone.reads.values()] == ['/joy']
+    roster.blocks['command_blender'] = alone
+    order = tuple(alone if block.name == alone.name else block for block in roster.diagram.order)
+    roster.diagram = SimpleNamespace(plant=roster.diagram.plant, order=order,
+                                     writer_of=roster.diagram.writer_of)
+    assert set(roster.blocks) - roster.follow_world >= {'command_blender', 'link_forward',
+                                                        'onboard_guard'}
 
 
 @pytest.mark.parametrize('processes', GROUPINGS)

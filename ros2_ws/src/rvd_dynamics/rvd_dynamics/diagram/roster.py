@@ -206,6 +206,24 @@ class Roster:
         return name in self.blocks and name != self.diagram.plant and all(
             read.delay > 0 or read.held for read in self.blocks[name].reads.values())
 
+    @cached_property
+    def follow_world(self) -> frozenset[str]:
+        """
+        The blocks that in lock step fire for no step which the plant has not made.
+
+        Those that follow its clock, and those that need something of the same step from one of
+        these; not who reads a pilot's page or program alone, which may be ahead.
+        """
+        found = {self.diagram.plant}
+        for block in (block for block in self.diagram.order if block.name in self.blocks):
+            writers = (self.diagram.writer_of.get(read.signal.name) for read in
+                       block.reads.values() if read.delay == 0 and not read.held)
+            if self.follows_clock(block.name) or any(
+                    writer is not None and writer.name in found and not block.period % writer.period
+                    for writer in writers):
+                found.add(block.name)
+        return frozenset(found)
+
     # -- processes --------------------------------------------------------------------------
 
     @cached_property

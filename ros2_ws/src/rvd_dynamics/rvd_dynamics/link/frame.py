@@ -10,6 +10,11 @@ Payloads of the space link: fixed little-endian structures that end in a CRC-32.
 bytes. CRC-32 detects every burst of up to 32 flipped bits (bits numbered from the least
 significant of each byte). It does not keep a stranger out: that takes keys, and key 0 says
 that there are none.
+
+A receiver takes each frame once, by its number (`ReplayWindow`): the ground by that alone, the
+guard's gate takes none that is older than the newest.
+
+Source  of the window: IP Encapsulating Security Payload, RFC 4303, section 3.4.3 and appendix A2
 """
 
 from collections.abc import Sequence
@@ -32,6 +37,7 @@ STATE = 0                       # kind of a downlink: a measured relative state
 _HEAD = Struct('<BHQQqB')
 _CRC = Struct('<I')
 THREE_LEVELS = LevelForm()
+WINDOW = 2048                   # [frames] more than come late and wait in a reader's queue
 
 
 class Refusal(IntEnum):
@@ -132,6 +138,38 @@ def unpack_downlink(payload: bytes, width: int = 6) -> Downlink | Refusal:
         return Refusal.RANGE
     rest = layout.unpack(payload[_HEAD.size:-_CRC.size])
     return Downlink(sequence, generated_ns, rest[:width], *rest[width:])
+
+
+class ReplayWindow:
+    """
+    Numbers that have been taken, as far back as the window is long; marked by intact frames alone.
+
+    A frame that comes after a newer one is taken, too: a link may let frames overtake each other.
+    What lies before the window is refused, since nobody remembers whether it has been there.
+
+    Parameters
+    ----------
+    size : int
+        Length of the window [frames].
+    """
+
+    def __init__(self, size: int = WINDOW) -> None:
+        require(size >= 1, 'size', 'be at least 1', size)
+        self._size, self._whole = size, (1 << size) - 1
+        self._newest = 0                        # highest number taken; the first frame has 1
+        self._taken = 0                         # bit i: newest - i has been taken
+
+    def takes(self, number: int) -> bool:
+        """Say whether a frame is new, and note that it has been taken if so."""
+        ahead = number - self._newest
+        if ahead > 0:
+            self._taken = (self._taken << ahead & self._whole | 1) if ahead < self._size else 1
+            self._newest = number
+            return True
+        if number < 1 or -ahead >= self._size or self._taken >> -ahead & 1:
+            return False
+        self._taken |= 1 << -ahead
+        return True
 
 
 def _sealed(body: bytes) -> bytes:

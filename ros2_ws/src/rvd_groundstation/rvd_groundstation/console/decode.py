@@ -14,7 +14,7 @@ from typing import Any
 from rvd_dynamics.commands.codes import BY_AUTO, KIND_THRUST, REASON_NONE
 from rvd_dynamics.diagram.limits import LARGEST
 from rvd_dynamics.diagram.signal import VALUES
-from rvd_dynamics.link.frame import Downlink, unpack_downlink
+from rvd_dynamics.link.frame import Downlink, Refusal, ReplayWindow, unpack_downlink
 
 NS_PER_S = 1_000_000_000
 COUNTS = ('sent', 'delivered', 'late', 'lost', 'outage', 'corrupted', 'in_flight', 'queued')
@@ -54,12 +54,13 @@ class Lost:
 
 
 def telemetry_of(frame: Any, step_s: float, width: int,
-                 named: Callable[[list[float]], dict[str, Any]]) -> Heard | Lost:
+                 named: Callable[[list[float]], dict[str, Any]],
+                 window: ReplayWindow | None = None) -> Heard | Lost:
     """
     Return what a LinkFrame brought down.
 
     `step_s` [s] is the base step, `width` how many numbers the measured state has, and
-    `named(state)` returns it as parts.
+    `named(state)` returns it as parts. `window` remembers what has come down before.
     """
     if frame.empty:
         return Lost(frame.step, EMPTY)
@@ -68,6 +69,9 @@ def telemetry_of(frame: Any, step_s: float, width: int,
         return Lost(frame.step, content.name)
     if not all(abs(number) <= LARGEST for number in content.state):
         return Lost(frame.step, 'NAN' if any(map(math.isnan, content.state)) else 'RANGE')
+    if window is not None and not (content.sequence <= frame.step + 1
+                                   and window.takes(content.sequence)):
+        return Lost(frame.step, Refusal.ORDER.name)
     sample = Sample(frame.step, content.generated_ns / NS_PER_S, True, named(list(content.state)),
                     received=frame.step * step_s,
                     transit=(frame.arrived - frame.sent) / NS_PER_S)

@@ -24,6 +24,7 @@ from rvd_dynamics.diagram.ros.host import Host, listen_for_the_end, message_type
 from rvd_dynamics.diagram.ros.node import RunNode
 from rvd_dynamics.diagram.ros.params import declare
 from rvd_dynamics.diagram.roster import MONITOR, RUN_TOPICS
+from rvd_dynamics.link.frame import ReplayWindow
 from rvd_dynamics.link.signals import FRAME
 from rvd_groundstation.console.decode import COMMANDS, link_of, SAMPLES, telemetry_of
 from rvd_groundstation.console.hub import Hub
@@ -73,7 +74,9 @@ class ConsoleNode(RunNode):
                  | set(self.roster.reads(NAME)) - set(RUN_TOPICS))
         self._signals = signals
         self._taken: dict[str, Callable] = {}   # by topic: what of a message can be
-        self._horizon = Horizon(self.run, self.run.last_step)
+        self._horizon = Horizon(self.run, self.run.last_step,
+                                made=host.bound_of(*self.roster.blocks))
+        self._window = ReplayWindow()           # of telemetry
         self._kinds = {topic: topics[topic] for topic in sorted(heard)
                        if topic not in (*self.provider.sticks, LINK, display.commands.sent)
                        and not (self._framed and topic == display.measured)}
@@ -119,7 +122,7 @@ class ConsoleNode(RunNode):
         if not self._can_be(self.provider.display.measured, frame):
             return
         self._hub.post('telemetry', telemetry_of(frame, self.run.step_s, self._width,
-                                                 self.provider.measured))
+                                                 self.provider.measured, self._window))
 
     def _on_command(self, command: Any) -> None:
         if not self._can_be(self.provider.display.commands.sent, command):

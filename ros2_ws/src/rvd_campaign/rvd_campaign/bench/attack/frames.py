@@ -168,12 +168,10 @@ def _judge(leg: Leg, k: int, payload: bytes, ours: dict[bytes, int], spent: set[
     if payload not in ours:
         outcome.counts['accepted'] += 1
         outcome.failures.append(f'{leg.name} accepted at step {k}: {payload.hex()}')
-    elif payload in spent and leg.form is not None:
+    elif payload in spent:
         outcome.counts['accepted'] += 1
         outcome.failures.append(f'{leg.name} accepted a second time at step {k}: frame of step '
                                 f'{ours[payload]}')
-    elif payload in spent:                      # nothing on the ground keeps count of them
-        outcome.counts['old telemetry, taken once more'] += 1
     spent.add(payload)
 
 

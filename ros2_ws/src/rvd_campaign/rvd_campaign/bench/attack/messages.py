@@ -24,13 +24,16 @@ from rvd_campaign.bench import hostile
 from rvd_campaign.bench.attack import Case, Kind, Outcome
 from rvd_campaign.bench.attack.limits import Hung, in_child, within
 from rvd_campaign.flight.domain import reserved_domain
+from rvd_dynamics.diagram.roster import MARKERS
 from rvd_dynamics.diagram.scenario import load, Scenario
+from rvd_dynamics.pulse import PAGE, Pulse
 
 SCENARIOS = ('paper', 'tether_delay', 'obstacles', 'attitude')
 PACES = ({'pace': 'lockstep'}, {'pace': 'realtime', 'pace_factor': 20.0})
 EACH = 250                      # messages to each node in a case
 WARM_UP = 5                     # steps before the first: messages are made of what was said
 TURNS = 20                      # callbacks between two messages to each node
+DRAW_EVERY = 25                 # messages to each node between two pictures, which are slow
 BEGIN_S = 120.0                 # [s] wall time for the warm-up
 CALL_S = 5.0                    # [s] wall time for one message, and for one turn of all
 CASE_S = 600.0                  # [s] wall time for a case
@@ -80,7 +83,7 @@ class Rig:
 
         from rvd_dynamics.diagram.ros.host import Host, listen_for_the_end
         from rvd_dynamics.diagram.ros.main import make
-        from rvd_dynamics.diagram.roster import listed
+        from rvd_dynamics.diagram.roster import listed, Roster
         shutil.rmtree(folder, ignore_errors=True)
         folder.mkdir(parents=True)
         rclpy.init(args=[])
@@ -89,11 +92,13 @@ class Rig:
         scenario = scenario.with_values('/**', nodes=ours, processes='blocks')
         scenario = scenario.with_values('bag_recorder', bag_dir=str(folder / 'bag'))
         if 'markers' in scenario.mission.sections:
-            scenario = scenario.with_values('markers', rate_hz=0.1)     # pictures are slow
+            scenario = scenario.with_values('markers', rate_hz=0.1)     # and see `draw`
         arguments = SimpleNamespace(name='attack', scenario=scenario, run_id='/',
                                     text=scenario.dump)
         self.said: dict[str, bytes] = {}        # the last message on each topic
         self.hosts: dict[str, Host] = {}
+        page = Pulse.shared(len(Roster(scenario, ours).processes))      # as a bring-up hands it on
+        os.environ[PAGE] = str(page.file)
         for process in roster.processes:
             if process.name in roster.externals:        # a page, or somebody else's program
                 continue
@@ -103,6 +108,7 @@ class Rig:
             for node in host.nodes.values():
                 for topic in host.roster.writes(node.get_name()):
                     host.keep(topic, lambda _, data, topic=topic: self.said.update({topic: data}))
+        page.handed_on()
         self._executor = SingleThreadedExecutor()       # one: it looks at all of them at once
         for node in self.nodes.values():
             self._executor.add_node(node)
@@ -119,6 +125,15 @@ class Rig:
             if not host.ended:
                 host.work()
             host.raise_error()
+
+    def draw(self) -> None:
+        """Draw the pictures of now; by itself their node rests meanwhile, and all others with it."""
+        for name, node in self.nodes.items():
+            if name == MARKERS and not node.host.ended:
+                for timer in node.timers:
+                    timer.cancel()
+                node.guarded(node._draw)(True)
+                node.host.raise_error()
 
     @property
     def over(self) -> bool:
@@ -170,6 +185,7 @@ def _one_run(scenario: Scenario, folder: Path, rng: Random, left: int, counts: d
             if time.monotonic() > deadline:
                 failures.append(f'the run did not begin: step {plant.step}')
                 return 0
+        rig.draw()
         while left > 0 and not rig.over:
             left -= 1
             for name, node in rig.nodes.items():
@@ -180,6 +196,10 @@ def _one_run(scenario: Scenario, folder: Path, rng: Random, left: int, counts: d
                 last = f'{name} after {words}'
                 counts['delivered'] += 1
                 node.host.raise_error()
+            if left % DRAW_EVERY == 0:
+                last = MARKERS
+                with within(CALL_S):
+                    rig.draw()
             for _ in range(TURNS):
                 with within(CALL_S):
                     rig.turn()

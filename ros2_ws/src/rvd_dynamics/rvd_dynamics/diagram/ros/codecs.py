@@ -28,7 +28,8 @@ from rvd_dynamics.diagram.ros.wire import Layout
 from rvd_dynamics.diagram.run import Legs, Run
 from rvd_dynamics.diagram.signal import Signal
 from rvd_dynamics.link.frame import Downlink as Measured
-from rvd_dynamics.link.frame import pack_command, pack_downlink, Refusal, unpack_downlink
+from rvd_dynamics.link.frame import (
+    pack_command, pack_downlink, Refusal, ReplayWindow, unpack_downlink)
 from rvd_dynamics.onboard.guard.gate import Gate
 from rvd_interfaces.msg import LinkFrame, PredictionScore, RelativeState, ThrustCommand, Values
 
@@ -432,7 +433,7 @@ class Downlink(_Sender):
 
 
 class Telemetry(Codec):
-    """What came down, from a LinkFrame."""
+    """What came down, each frame once, from a LinkFrame."""
 
     frames = True
 
@@ -440,6 +441,9 @@ class Telemetry(Codec):
         super().__init__(signal, run)
         self._event, self._width = event, signal.parts[0].shape[0]
         self._complaint = checker(signal)
+        self._window = ReplayWindow()
+        self._counts = dict.fromkeys(Refusal, 0)
+        self._newest: tuple[LinkFrame | None, Any] = None, self.initial
 
     def odd(self, k: int, message: LinkFrame) -> str:
         """Return what is wrong with the envelope."""
@@ -447,23 +451,35 @@ class Telemetry(Codec):
 
     def decode(self, k: int, message: LinkFrame) -> Any:
         """
-        Return what the frame of step k holds.
+        Return what the frame of step k holds; the same if it is asked for again.
 
-        Nothing is received if it holds nothing intact, or numbers that the signal cannot have.
+        Nothing is received if it holds nothing intact, numbers that the signal cannot have, or what
+        has been received before.
         """
         if message.empty:
             return self.initial
-        content = unpack_downlink(bytes(message.payload), self._width)
+        if message is not self._newest[0]:      # a fast reader looks at it more than once
+            self._newest = message, self._received(k, bytes(message.payload))
+        return self._newest[1]
+
+    def _received(self, k: int, payload: bytes) -> Any:
+        content = unpack_downlink(payload, self._width)
         if not isinstance(content, Measured):
-            self._event('REFUSED', f'telemetry refused: {content.name}')
-            return self.initial
+            return self._refused(content)
         state = np.array(content.state)
         found = self.signal(state=state, received=np.isfinite(state).all())
         why = self._complaint(found, k)
         if why:
-            self._event('REFUSED', f'telemetry refused: {Refusal.RANGE.name}: {why}')
-            return self.initial
+            return self._refused(Refusal.RANGE, f': {why}')
+        if content.sequence > k + 1 or not self._window.takes(content.sequence):
+            return self._refused(Refusal.ORDER)
         return found
+
+    def _refused(self, refusal: Refusal, why: str = '') -> Any:
+        self._counts[refusal] += 1
+        self._event('REFUSED', f'telemetry refused: {refusal.name}{why}, '
+                    f'{self._counts[refusal]} so far')
+        return self.initial
 
 
 class Uplink(_Sender):

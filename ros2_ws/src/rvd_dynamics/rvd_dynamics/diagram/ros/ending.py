@@ -1,10 +1,13 @@
 """
-The end of a run as a process hears of it: believed if it can be, and as long as nothing goes on.
+The end of a run as a process hears of it: believed if the plant has noted it.
 
 Only the plant ends a run, and it says on `/run/end` which step is the last before anybody can have
-that step. So a step that this process has left behind, or that no run of this scenario gets to, is
-refused. Whether the plant said the rest nobody can see by the message: a process that is over waits
-for a moment before it leaves, and takes up its work again if a later step comes meanwhile.
+that step. It notes the same on the page of the run (`pulse`) before: what is not there is refused,
+whoever says it.
+
+A node started by hand has no such page. It refuses a step that it has left behind, or that no run
+of this scenario gets to. Whether the plant said the rest it cannot see by the message: it waits for
+a moment before it leaves, and takes up its work again if a later step comes meanwhile.
 """
 
 import time
@@ -15,11 +18,11 @@ QUIET_STEPS = 1.5               # [steps] the same in real time, where it is lon
 
 
 class Ending:
-    """What a process has heard of the end from another one."""
+    """What a process has heard of the end from another one; `_heard` is of what it cannot check."""
 
     def __init__(self, host: Any) -> None:
         self._host = host
-        self._heard: float | None = None        # wall time; None: not from another process
+        self._heard: float | None = None        # wall time
         run = host.scenario.run
         self._quiet_s = QUIET_S if run.pace == 'lockstep' else max(
             QUIET_S, QUIET_STEPS*run.step_s/run.pace_factor)
@@ -38,8 +41,15 @@ class Ending:
                    f'this is step {now}' if step < now else f'no run here is longer than {last}')
             host.lead.refuse('/run/end', f'step {step} cannot be the last: {why}')
             return
-        self._heard = time.monotonic()
-        host.lead.create_timer(self._quiet_s, host.lead.guarded(host.look))
+        noted = host.noted_end
+        if noted is None:
+            self._heard = time.monotonic()
+            host.lead.create_timer(self._quiet_s, host.lead.guarded(host.look))
+        elif noted != step:
+            host.lead.refuse('/run/end', f'step {step} is not the last: the run is at step '
+                             f'{host.made} and goes on' if noted < 0 else
+                             f'step {step} is not the last: that is {noted}')
+            return
         host.end(step)
 
     def goes_on(self, step: int) -> None:

@@ -58,7 +58,8 @@ class FiringNode(RunNode):
                 self._hold(name, read, codec)
                 continue
             self._inputs[name] = Input(read, writer.period if writer else 1, codec,
-                                       self.run.last_step, self.run)
+                                       self.run.last_step, self.run,
+                                       *([self.host.bound_of(writer.name)] if writer else []))
             if self.host.is_local(read.signal.name):
                 self._inputs[name].local = True
                 self.host.take(read.signal.name, self._taker(name, codec))
@@ -126,6 +127,10 @@ class FiringNode(RunNode):
             step, rest = divmod(ns_of(message.clock), self.run.step_ns)
             if rest or step < 0:
                 self.refuse('/clock', f'{ns_of(message.clock)} ns is no instant of a step')
+                return
+            made = self.host.made
+            if made is not None and step > made:
+                self.refuse('/clock', f'step {step} has not been: this is step {made}')
                 return
             if not self._instants.believes(step, self._limit):
                 self.refuse('/clock', self._instants.words(step, self._limit))

@@ -5,6 +5,7 @@ A message from beyond would have a node fire for ever, hold what never comes due
 what was never sent. It is left out; whoever wrote it is not of this run, or has lost count.
 """
 
+from collections.abc import Callable
 import time
 
 from rvd_dynamics.constants import NS_PER_S
@@ -20,10 +21,13 @@ class Horizon:
     The last step that a topic can be at.
 
     lockstep    a writer is never further ahead than its queue is deep; one whose reader was stopped
-                for longer goes on from where it was refused, and is believed then.
+                for longer goes on from where it was refused, and is believed then. Where the plant
+                has noted how far it is, nobody is ahead of it.
     realtime    a writer fires no faster than the wall clock, which runs on while its reader is
                 stopped. Before the first message nothing is known: a writer that goes on from
-                where it was refused is believed, since its reader may have come late.
+                where it was refused is believed, since its reader may have come late. Nobody is
+                further ahead of what the plant has noted than of its own pace: steps that come one
+                after the other carry a reader no further.
 
     Parameters
     ----------
@@ -35,24 +39,35 @@ class Horizon:
         Steps between two firings of the writer.
     queue : int
         Firings that its queue holds.
+    made : function, optional
+        Returns the newest step that the plant has noted, or None; see `Host.bound_of`.
     """
 
-    def __init__(self, run: Run | None, last_step: int, period: int = 1, queue: int = DEPTH
-                 ) -> None:
+    def __init__(self, run: Run | None, last_step: int, period: int = 1, queue: int = DEPTH,
+                 made: Callable[[], int | None] = lambda: None) -> None:
         self._step_s = (run.step_s/run.pace_factor
                         if run is not None and run.pace == 'realtime' else None)
         self._last_step, self._period, self._queue = last_step, period, queue
         self._newest, self._came = -1, 0.0      # newest step that was believed, and when it came
         self._refused = -1                      # step of the last message that was refused
+        self._made = made
 
     def bound(self, need: int = 0) -> int:
         """Return the last step that is believed now, of a reader that needs step `need` next."""
         if self._step_s is None:
-            return min(max(need, 0) + self._queue*self._period, self._last_step)
+            return min(max(need, 0) + self._queue*self._period, self._most())
         allowed = max(self._newest, need, 0) + AHEAD*self._period
         if self._newest >= 0:
             allowed += int((time.monotonic() - self._came)/self._step_s)
-        return min(allowed, self._last_step)
+        return min(allowed, self._most())
+
+    def _most(self) -> int:
+        """Return the last step that can be, whatever has come."""
+        made = self._made()
+        if made is None:
+            return self._last_step
+        ahead = 0 if self._step_s is None else AHEAD*self._period
+        return min(max(made, 0) + ahead, self._last_step)
 
     def believes(self, step: int, need: int = 0) -> bool:
         """Say whether a message of `step` can be one of this run."""
@@ -63,7 +78,7 @@ class Horizon:
         may_go_on = self._step_s is None or self._newest < 0
         goes_on = may_go_on and 0 <= self._refused < step <= self._refused + self._far()
         self._refused = step
-        if not goes_on or step > self._last_step:
+        if not goes_on or step > self._most():
             return False
         self._newest, self._came = max(step, self._newest), time.monotonic()
         return True

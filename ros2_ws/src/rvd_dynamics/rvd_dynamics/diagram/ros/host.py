@@ -76,6 +76,7 @@ class Host:
         self._later: list[tuple[Publisher, Any]] = []   # of those topics
         self._pulse, self._place = Pulse.inherited(), 0
         self._heard = 0                         # [bytes] of what is said on the page
+        self._is_told = False                   # the plant notes on our page how far it is
         self._beat_ns = self._looked_ns = self._diagnosed_ns = time.monotonic_ns()
         self._ended = False
         self._busy = False
@@ -95,7 +96,7 @@ class Host:
         homes = [process.name for process in self.roster.processes]
         home = self.roster.process_of.get(node.get_name())
         if len(self._pulse) == len(homes) and home in homes:
-            self._place = homes.index(home)
+            self._place, self._is_told = homes.index(home), True
         else:                                   # started by hand
             self._pulse = Pulse()
         self._ready = node.writer('/run/ready', String)
@@ -235,6 +236,22 @@ class Host:
         """Return what who started the run has said since the last call: code, step and words."""
         said, self._heard = self._pulse.heard(self._heard)
         return said
+
+    @property
+    def made(self) -> int | None:
+        """The newest step that the plant has noted; None in a node that was started by hand."""
+        return self._pulse.flown if self._is_told else None
+
+    def bound_of(self, *blocks: str) -> Callable[[], int | None]:
+        """Return a function that returns how far these blocks can be; None: nobody knows."""
+        if self.scenario.run.pace == 'realtime' or self.roster.follow_world.issuperset(blocks):
+            return lambda: self.made
+        return lambda: None
+
+    @property
+    def noted_end(self) -> int | None:
+        """The last step as the plant has noted it, -1 while the run goes on; None as for `made`."""
+        return self._pulse.final if self._is_told else None
 
     def diagnose(self) -> None:
         """

@@ -53,7 +53,7 @@ class Input:
     """
 
     def __init__(self, read: Read, period: int, codec: Any, last_step: int,
-                 run: Run | None = None) -> None:
+                 run: Run | None = None, made: Callable[[], int | None] = lambda: None) -> None:
         self.topic = read.signal.name
         self.delay, self.period, self.codec = read.delay, period, codec
         self.held: dict[int, Any] = {}
@@ -61,7 +61,7 @@ class Input:
         self.missed: dict[int, None] = {}
         self.keeps_late = bool(read.late)
         self.local = False
-        self._horizon = Horizon(run, last_step, period)
+        self._horizon = Horizon(run, last_step, period, made=made)
         self._step_ns = run.step_ns if run is not None and read.signal.message == JOY else 0
         self._taken = None if codec is None else boundary.content(
             read.signal, codec, read.optional)

@@ -27,7 +27,8 @@ from rvd_dynamics.diagram.ros.writers import LOOK_S, Writers
 from rvd_dynamics.diagram.roster import MONITOR
 from rvd_interfaces.msg import Verdict
 
-IN_A_ROW = 16                   # [steps] that come too early until one counts as lost
+GAP_S = 2.0                     # [s] wall time in which what is due may still come
+IN_A_ROW = 16                   # [steps] that come too early, if the plant's word cannot be had
 PERIOD_S = 0.1                  # [s] wall time between two verdicts under way
 
 
@@ -40,7 +41,8 @@ class MissionMonitor(RunNode):
         self._published = time.monotonic()
         self._judged_final = False
         self._writers = Writers(self.roster, host.run_id, self)
-        self._ahead: list[int] = []             # steps in a row that came before they were due
+        self._ahead: range = range(0)           # steps in a row that came before they were due
+        self._looks = 0                         # since then, without a step that was due
         own = {'batch': ()}
         self._judge = made(self.scenario.mission.judge,
                            lambda name: own[name] if name in own else self.scenario.part(name),
@@ -48,7 +50,7 @@ class MissionMonitor(RunNode):
 
     def connect(self) -> None:
         """Listen to the truth, and see who writes."""
-        self.create_timer(LOOK_S, self.guarded(self._look_at_writers))
+        self.create_timer(LOOK_S, self.guarded(self._look))
         truth = self.roster.diagram.truth
         if self.host.is_local(truth.name):
             self.host.take(truth.name, self.guarded(self._on_truth))
@@ -59,40 +61,59 @@ class MissionMonitor(RunNode):
     def _heard(self, message: Any) -> None:
         """Take truth from another process, if it is of the step that comes next."""
         step, due = message.step, self.step + 1
+        newest = self.host.made
         try:
+            if newest is not None and step > newest:
+                raise Refused(f'step {step} has not been: this is step {newest}')
             if step < due:
                 raise Refused(f'step {step} has been judged already')
             if step > due:
                 self._beyond(step, due)
             value = self._taken(step, message)
+            end = self.host.noted_end
+            if end is not None and bool(value.final) != (step == end):
+                raise Refused(f'step {step} {"is" if step == end else "is not"} the last')
         except Refused as why:
             self.refuse(self.roster.diagram.truth.name, str(why))
             return
-        self._ahead = []
+        self._ahead, self._looks = range(0), 0
         if self.host.final_step is not None:
             self.host.ending.goes_on(step)
         self._on_truth(step, value)
 
     def _beyond(self, step: int, due: int) -> None:
         """
-        Refuse a step that is not due yet.
+        Refuse a step that is not due yet; what is due has GAP_S to come.
+
+        A stranger can make such a step; he cannot keep the one that is due from coming.
+        """
+        if step > self.run.last_step:
+            raise Refused(f'step {step} is beyond {self.run.last_step}, the last of any run here')
+        in_a_row = self._ahead and step == self._ahead.stop
+        self._ahead = range(self._ahead.start if in_a_row else step, step + 1)
+        raise Refused(f'step {step} came where {due} is due')
+
+    def _look_at_gap(self) -> None:
+        """
+        End if what is due has not come for so long; who was stopped hears before it looks often.
+
+        A later step that the plant has noted says that the one which is due was sent. Without the
+        plant's word, several in a row say so, or one that ends with the run.
 
         Raises
         ------
         BadInput
-            If it is one of several in a row, or the last one: what is due has been lost.
+            If it is lost.
         """
-        if step > self.run.last_step:
-            raise Refused(f'step {step} is beyond {self.run.last_step}, the last of any run here')
-        in_a_row = self._ahead and step == self._ahead[-1] + 1
-        self._ahead = [*self._ahead, step] if in_a_row else [step]
-        if len(self._ahead) >= IN_A_ROW or step == self.host.final_step:
-            self._give_up()
-        raise Refused(f'step {step} came where {due} is due')
-
-    def _give_up(self) -> None:
-        raise BadInput(f'truth jumps from step {self.step} to {self._ahead[0]}: a run with a gap '
-                       'cannot be judged')
+        if not self._ahead:
+            return
+        self._looks += 1
+        if self._looks*LOOK_S < GAP_S or not (
+                self.host.made is not None or len(self._ahead) >= IN_A_ROW
+                or self.host.final_step in self._ahead):
+            return
+        raise BadInput(f'truth jumps from step {self.step} to {self._ahead.start}: a run with a '
+                       'gap cannot be judged')
 
     def _on_truth(self, step: int, truth: Any) -> None:
         self.step = step
@@ -114,7 +135,8 @@ class MissionMonitor(RunNode):
             verdict_line.tell(verdict_line.VERDICT, message)
         self.host.publish(self._out, '/run/verdict', self.step, message)
 
-    def _look_at_writers(self) -> None:
+    def _look(self) -> None:
+        self._look_at_gap()
         for stranger in self._writers.look(self.host.begun):
             self.trouble[f'{stranger.topic} {stranger.node}'] = stranger.words
             self.event(stranger.code, stranger.words)
@@ -125,5 +147,3 @@ class MissionMonitor(RunNode):
         """Judge the final truth first, which may still be on its way."""
         if self._judged_final:
             self.finish()
-        elif final_step in self._ahead:
-            self._give_up()

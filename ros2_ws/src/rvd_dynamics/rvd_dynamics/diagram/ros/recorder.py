@@ -77,7 +77,8 @@ class BagRecorder(RunNode):
         self._recorded: set[str] = set()
         self._unknown: set[str] = set()         # topics of types that are not installed
         self._suspects: dict[str, tuple] = {}   # of each topic, what came before it was due
-        self._horizon = Horizon(self.run, self.run.last_step, queue=RECORDER_LEAD + REPORT_EVERY)
+        self._horizon = Horizon(self.run, self.run.last_step, queue=RECORDER_LEAD + REPORT_EVERY,
+                                made=host.bound_of(*self.roster.blocks))
         self._complained = False
         self._draining = None
         self._stores: dict[str, Callable] = {}
