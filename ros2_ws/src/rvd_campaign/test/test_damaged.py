@@ -161,6 +161,20 @@ def test_a_topic_that_cannot_be_read_takes_no_other_with_it(run, topic, change, 
     assert ('<svg' in text) == (topic != '/run/scenario')
 
 
+@pytest.mark.parametrize('name', ['', 'status', '/status', '//'])
+def test_a_status_of_a_link_is_shown_whatever_its_topic_is_called(run, name):
+    content = damaged.content_of(run / 'bag')
+    for channel in content.channels.values():
+        if channel.topic == '/run/scenario':        # or the scenario would say which legs there are
+            channel.topic = '/elsewhere'
+        elif channel.topic == '/link/forward/status':
+            channel.topic = name
+    file_of(run).write_bytes(damaged.written(content))
+    links = read(run).links
+    assert len(links) == 2 and len(links.pop('back').history) == len(links.popitem()[1].history) > 0
+    assert damaged.faults(run) == []
+
+
 def test_numbers_that_no_run_has_are_reviewed_without_a_word_on_the_side(run):
     """Their squares are more than the largest float."""
     def huge(data):

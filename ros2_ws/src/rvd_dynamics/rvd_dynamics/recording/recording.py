@@ -109,7 +109,8 @@ class Recording:
     def links(self) -> dict[str, Link]:
         """The legs of the link by name, the way up first."""
         if self.scenario is None:               # all that is known is what they counted
-            found = [Link(topic.split('/')[-2], Frames.of([]), self.of(topic), UNKNOWN, UNKNOWN)
+            found = [Link(topic.rpartition('/')[0].rpartition('/')[2] or topic, Frames.of([]),
+                          self.of(topic), UNKNOWN, UNKNOWN)
                      for topic, kind in self.kinds.items() if kind == LINK_STATUS]
         else:
             found = [self._link(leg) for leg in self.scenario.diagram.legs()]
