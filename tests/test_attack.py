@@ -18,6 +18,7 @@ from runs import rvd
 from rvd_campaign import bench, catalogue
 from rvd_campaign.bench import attack
 from rvd_campaign.bench.attack import dds, flying, frames, kills, limits, texts
+from rvd_campaign.flight.domain import reserved_domain
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.scenario import load
 from rvd_dynamics.link import frame
@@ -235,6 +236,60 @@ def test_no_mutated_message_ends_a_node_and_one_that_does_is_told(tmp_path, monk
         raise BadInput(f'step {step} is too much')
     monkeypatch.setattr(FiringNode, '_came', careless)
     assert 'too much' in messages.one(0).failures[0]    # the twin: the child inherits it
+
+
+@pytest.mark.slow
+@pytest.mark.patient
+@pytest.mark.parametrize('told', [True, False])
+def test_a_forged_end_ends_no_process_of_a_paused_run_and_the_true_one_all(
+        told, tmp_path, monkeypatch):
+    """The second is the twin: where nobody looks at what the plant has noted, it ends them."""
+    from std_msgs.msg import Bool, UInt64
+
+    from rvd_campaign.bench.attack.messages import Rig
+    from rvd_dynamics.diagram.ros.host import Host
+    monkeypatch.setenv('RVD_PULSE', '')
+    monkeypatch.setenv('RVD_LEAN', '1')
+    monkeypatch.setenv('ROS_AUTOMATIC_DISCOVERY_RANGE', 'OFF')
+    if not told:
+        monkeypatch.setattr(Host, 'noted_end', None)
+    scenario = load(catalogue.find('scenarios', 'paper', ('.yaml',))).with_values(
+        '/**', timeout_s=20.0)
+    with reserved_domain() as domain:
+        monkeypatch.setenv('ROS_DOMAIN_ID', str(int(domain)))
+        rig = Rig(scenario, tmp_path / 'rig')
+        try:
+            nodes, limit = rig.nodes, time.monotonic() + 300.0
+            plant = nodes['spacecraft_dynamics']
+
+            def turn_until(done):
+                while not done():
+                    rig.turn()
+                    assert time.monotonic() < limit, {n: each.step for n, each in nodes.items()}
+
+            def say(topic, message):
+                for node in nodes.values():
+                    heard = node.subscriptions_of.get(topic)
+                    if heard is not None and not heard.raw:
+                        heard.callback(message)
+            turn_until(lambda: plant.step >= 5)
+            say('/run/pause', Bool(data=True))
+            for _ in range(300):                # what is on its way arrives
+                rig.turn()
+            stood = plant.step
+            say('/run/end', UInt64(data=stood))
+            begun = time.monotonic()
+            while time.monotonic() < begun + 0.5:
+                rig.turn()
+            if not told:
+                assert sum(node.finished for node in nodes.values()) > 5 and rig.over
+                return
+            assert not rig.over and not any(node.finished for node in nodes.values())
+            say('/run/pause', Bool(data=False))
+            turn_until(lambda: all(host.ended for host in rig.hosts.values()))
+            assert plant.step == 40 > stood and nodes['mission_monitor'].step == 40
+        finally:
+            rig.close()
 
 
 @pytest.mark.slow
