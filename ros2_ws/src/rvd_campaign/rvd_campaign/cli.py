@@ -254,8 +254,8 @@ def _add_bench(commands: argparse._SubParsersAction) -> None:
     bench.add_argument('part', nargs='?', default='all',
                        choices=('graph', 'flight', 'loop', 'campaign', 'laws', 'tether', 'docking',
                                 'leak', 'console', 'attack', 'all'),
-                       help='what to measure (default: all but leak, which flies for a quarter '
-                            'of an hour, console, which needs Chromium, and attack, which takes a '
+                       help='what to measure (default: all but leak, which flies for half '
+                            'an hour, console, which needs Chromium, and attack, which takes a '
                             'night: about four minutes)')
     bench.add_argument('kinds', nargs='*', metavar='KIND',
                        help='with attack: frames, messages, dds, bags, texts, kills or flights '
