@@ -26,13 +26,15 @@ from rvd_campaign.flight.supervisor import Supervisor
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.identity import new_run
 from rvd_dynamics.diagram.ros.qos import DEPTH
+from rvd_dynamics.diagram.ros.recorder import REPORT_EVERY
 from rvd_dynamics.diagram.roster import listed
 from rvd_dynamics.diagram.scenario import load
 
-STEPS = {'blocks': 20_000, 'segments': 40_000, 'one': 1_000_000}    # measured
-QUICK = {'one': 20_000}
 STEP_S = 0.08                   # [s] simulation time: a million steps are less than a day
-WARM_UP_STEPS = 2*DEPTH         # [steps] after which every history of DDS is full
+# [steps] after which every history of DDS is full, that of what is said least often last.
+WARM_UP_STEPS = (REPORT_EVERY + 1)*DEPTH
+STEPS = {'blocks': 20_000, 'segments': 40_000, 'one': 1_000_000 - WARM_UP_STEPS}     # measured
+QUICK = {'one': 20_000}
 MAX_BYTES = 16.0                # [bytes] a step and process, flat: 16 MB in a million steps
 BAG_BYTES = 4000                # [bytes] a step that the bag takes at most
 PERIOD_S = 0.5                  # [s] wall time between two notes
