@@ -396,6 +396,7 @@ case "${1:-}" in
     *) die "setup takes --again or nothing, not '$1'" ;;
 esac
 mkdir -p "$state" 2> /dev/null || die "cannot write to $root"
+[[ -w $state && ( -w $state/lock || ! -e $state/lock ) ]] || die "cannot write to $state"
 exec 9> "$state/lock"                           # the children hold it too if this process is killed
 if ! flock --nonblock 9; then
     say 'another set-up is running here: waiting for it'

@@ -15,8 +15,9 @@ import sys
 
 import pytest
 
-from runs import rvd
+from runs import environment, rvd
 from rvd_campaign import cli
+from rvd_campaign.catalogue import root
 from rvd_campaign.exits import CannotRun, check_file, check_open_files
 from rvd_campaign.flight import room, verdict
 from rvd_dynamics.recording.reader import read
@@ -153,3 +154,29 @@ def test_too_few_open_files_are_raised_or_refused(monkeypatch):
     limits['now'] = (16, 64)
     with pytest.raises(CannotRun, match='only 64 files may be open at once, 256 are needed'):
         check_open_files()
+
+
+READ_ONLY = 'mount --bind {0} {0} && mount -o remount,bind,ro {0} && '
+
+
+@pytest.mark.parametrize('places, command, line', [
+    (['PROJECT'], 'setup', 'rvd: cannot write to PROJECT/.rvd'),
+    ([], 'setup', ''),
+    (['/tmp', '/var/tmp'], 'fly paper --headless',
+     'rvd fly: no folder for temporary files can be written: set TMPDIR to one that can'),
+    (['/var/tmp'], 'fly paper --headless',
+     'rvd fly: cannot make the run folder runs')])
+def test_what_nobody_can_write_to_is_one_line(places, command, line):
+    """The set-up, and all folders for temporary files; with fewer of them it comes further."""
+    project = str(root())
+    mounts = ''.join(READ_ONLY.format(place.replace('PROJECT', project)) for place in places)
+    done = subprocess.run(
+        ['unshare', '--mount', '--propagation', 'private', 'sh', '-c',
+         f'{mounts} cd {NOWHERE} && echo ready && exec {project}/rvd {command}'],
+        env={name: value for name, value in environment().items()
+             if name not in ('TMPDIR', 'TEMP', 'TMP')}, capture_output=True, text=True, timeout=60.0)
+    if 'ready' not in done.stdout:
+        pytest.skip('no right to mount')
+    said = done.stderr.splitlines()
+    assert len(said) <= 1 and ''.join(said).startswith(line.replace('PROJECT', project)), said
+    assert done.returncode == (2 if line else 0)

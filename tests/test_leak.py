@@ -11,7 +11,7 @@ import rclpy
 from rclpy.context import Context
 from rclpy.executors import SingleThreadedExecutor
 
-from rvd_campaign.bench import leak
+from rvd_campaign.bench import leak, PARTS
 from rvd_campaign.flight.domain import reserved_domain
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.ros import qos
@@ -96,8 +96,27 @@ def test_growth_is_the_slope_of_each_process_after_the_warm_up(monkeypatch):
     notes = leak.Notes()
     with pytest.raises(BadInput, match='too short'):
         notes.growth()
-    for step in range(0, 10_000, 500):
+    for step in range(0, leak.WARM_UP_STEPS + 10_000, 500):
         sizes[2] += 100*500
         notes.note(step, {'a': 1, 'b': 2})
     assert notes.steps[0] == leak.WARM_UP_STEPS
     assert notes.growth() == pytest.approx({'a': 0.0, 'b': 100.0}, abs=1e-6)
+
+
+def test_a_flight_for_which_the_disk_has_no_room_is_not_begun(tmp_path):
+    with pytest.raises(BadInput, match=r'takes 4000000\.\d GB, and .* TMPDIR'):
+        leak.fly('one', 10**12, tmp_path, 0)
+    assert not any(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize('leaks', [0, 20])
+def test_what_the_allocator_takes_at_first_is_no_growth_and_a_leak_is(leaks):
+    notes = leak.Notes()
+    for step in range(0, 100_000, 500):
+        notes.steps.append(step)
+        notes.memory.append({'one': 10_000_000 + 4096*min(step // 500, 80) + leaks*step})
+    assert notes.growth()['one'] == pytest.approx(leaks, abs=0.1)
+    assert notes.grown() == {'one': 4096*80 + leaks*99_500}
+    found = {'steps': 99_500, 'bytes_per_step': notes.growth(), 'megabytes': {'one': 10.3},
+             'kilobytes_in_all': {'one': 328}}
+    assert [row.met for row in PARTS['leak'][1]({'one': found})] == [leaks == 0, None]

@@ -11,7 +11,8 @@ import traceback
 from typing import Any
 
 from rvd_campaign.exits import (
-    CannotRun, check_open_files, EXIT_CANNOT, EXIT_DONE, EXIT_FAULT, EXIT_INTERRUPTED, OF_THE_DISK)
+    CannotRun, check_open_files, EXIT_CANNOT, EXIT_DONE, EXIT_FAULT, EXIT_INTERRUPTED,
+    lacks_temporary, OF_THE_DISK)
 from rvd_campaign.interrupts import ctrl_c_heard, has_come
 from rvd_campaign.output import keep_going
 from rvd_dynamics.bad_input import BadInput, one_line, shortened
@@ -69,6 +70,10 @@ def main(argv: list[str] | None = None) -> int:
             where = '' if error.filename is None else f'{error.filename}: '
             print(f'rvd {args.command}: {shortened(one_line(where))}{error.strerror}',
                   file=sys.stderr)
+            return EXIT_CANNOT
+        if lacks_temporary(error):
+            print(f'rvd {args.command}: no folder for temporary files can be written: set TMPDIR to '
+                  'one that can', file=sys.stderr)
             return EXIT_CANNOT
         if has_come():                          # a library that it has cut short says anything
             return EXIT_INTERRUPTED
@@ -249,8 +254,8 @@ def _add_bench(commands: argparse._SubParsersAction) -> None:
     bench.add_argument('part', nargs='?', default='all',
                        choices=('graph', 'flight', 'loop', 'campaign', 'laws', 'tether', 'docking',
                                 'leak', 'console', 'attack', 'all'),
-                       help='what to measure (default: all but leak, which flies for a quarter '
-                            'of an hour, console, which needs Chromium, and attack, which takes a '
+                       help='what to measure (default: all but leak, which flies for half '
+                            'an hour, console, which needs Chromium, and attack, which takes a '
                             'night: about four minutes)')
     bench.add_argument('kinds', nargs='*', metavar='KIND',
                        help='with attack: frames, messages, dds, bags, texts, kills or flights '

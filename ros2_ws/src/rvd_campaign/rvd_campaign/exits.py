@@ -6,7 +6,7 @@ import errno
 import os
 from pathlib import Path
 import resource
-from tempfile import TemporaryFile
+from tempfile import gettempdir, TemporaryFile
 
 from rvd_dynamics.bad_input import one_line
 
@@ -49,6 +49,17 @@ def check_file(flag: str, given: str, new: bool = True) -> None:
     except OSError as error:
         raise CannotRun(f'{flag} {path}: {path.parent} is no folder that can be written to '
                         f'({error.strerror})') from None
+
+
+def lacks_temporary(error: Exception) -> bool:
+    """Say whether an error is due to a machine without any folder for temporary files."""
+    if not isinstance(error, OSError) or 'temporary directory' not in str(error):
+        return False
+    try:
+        gettempdir()
+    except FileNotFoundError:
+        return True
+    return False
 
 
 def check_open_files() -> None:

@@ -37,7 +37,7 @@ def main(args: argparse.Namespace) -> int:
         raise CannotRun('kinds, --count and --seed go with `bench attack`')
     if args.out:
         check_file('--out', args.out, new=False)
-    # only when asked for: the console's needs a browser, and a leak takes a quarter of an hour
+    # only when asked for: the console's needs a browser, and a leak takes half an hour
     names = [args.part] if args.part != 'all' else [
         name for name in PARTS if name not in ('console', 'leak')]
     before = Checkout(Path(args.before)) if args.before else None
@@ -206,12 +206,12 @@ def _leak_rows(r: dict) -> list[Row]:
     from rvd_campaign.bench.leak import MAX_BYTES
     rows = []
     for sharing, found in r.items():
-        most = max(growth / found['nodes'][name]
-                   for name, growth in found['bytes_per_step'].items())
-        rows.append(Row(f'processes {sharing}, {found["steps"]} steps: most growth, step and node',
-                        f'{most:.1f} B', f'< {MAX_BYTES:g} B', most < MAX_BYTES))
-        rows += [Row(f'  {name}, {found["megabytes"][name]:.0f} MB: a step', f'{growth:.1f} B')
-                 for name, growth in found['bytes_per_step'].items()]
+        most = max(found['bytes_per_step'].values())
+        rows.append(Row(f'processes {sharing}, {found["steps"]:,} steps: most growth, a step',
+                        f'{most:.2f} B', f'< {MAX_BYTES:g} B', most < MAX_BYTES))
+        rows += [Row(f'  {name}, {found["megabytes"][name]:.0f} MB, '
+                     f'{found["kilobytes_in_all"][name]} kB more than after the warm-up: a step',
+                     f'{growth:.2f} B') for name, growth in found['bytes_per_step'].items()]
     return rows
 
 

@@ -4,14 +4,17 @@ How much the memory of each process grows with every step of a long flight over 
 The flight is the lunar approach from far away, so that nothing ends it: model pilot, law, filter
 and link work as ever. What a process has for itself (RssAnon, proc(5)) is noted as the steps go by,
 from when the histories of DDS are full on; the growth per step is the slope of a straight line
-through the notes. Of a leak of 100 bytes per message ten times as many would show.
+through the notes of the second half of the flight. In the first one the allocator still finds its
+size. Of a leak of 100 bytes per message ten times as many would show.
 
 What may grow is said by the sizes that the run is planned for: random numbers and the fates of
 frames are drawn before it.
 """
 
+from bisect import bisect_left
 from dataclasses import dataclass, field
 from pathlib import Path
+import shutil
 import tempfile
 import time
 
@@ -23,14 +26,17 @@ from rvd_campaign.flight.supervisor import Supervisor
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.identity import new_run
 from rvd_dynamics.diagram.ros.qos import DEPTH
+from rvd_dynamics.diagram.ros.recorder import REPORT_EVERY
 from rvd_dynamics.diagram.roster import listed
 from rvd_dynamics.diagram.scenario import load
 
-STEPS = {'blocks': 20_000, 'segments': 40_000, 'one': 60_000}   # measured; each takes minutes
-QUICK = {'one': 6_000}
 STEP_S = 0.08                   # [s] simulation time: a million steps are less than a day
-WARM_UP_STEPS = 2*DEPTH         # [steps] after which every history of DDS is full
-MAX_BYTES = 16.0                # [bytes] a step and node: 16 MB in a million steps
+# [steps] after which every history of DDS is full, that of what is said least often last.
+WARM_UP_STEPS = (REPORT_EVERY + 1)*DEPTH
+STEPS = {'blocks': 20_000, 'segments': 40_000, 'one': 1_000_000 - WARM_UP_STEPS}     # measured
+QUICK = {'one': 20_000}
+MAX_BYTES = 16.0                # [bytes] a step and process, flat: 16 MB in a million steps
+BAG_BYTES = 4000                # [bytes] a step that the bag takes at most
 PERIOD_S = 0.5                  # [s] wall time between two notes
 STALL_S = 60.0                  # [s] wall time without a step: it is given up
 SCENARIO = """
@@ -50,7 +56,6 @@ SCENARIO = """
 class Notes:
     """Memory of the processes of a run by step."""
 
-    nodes: dict[str, int] = field(default_factory=dict)             # how many, by process
     steps: list[int] = field(default_factory=list)
     memory: list[dict[str, int]] = field(default_factory=list)      # [bytes] by process
 
@@ -61,11 +66,18 @@ class Notes:
             self.memory.append({name: anonymous(pid) for name, pid in pids.items()})
 
     def growth(self) -> dict[str, float]:
-        """Return how much each process has grown with every step [bytes]."""
-        if len(self.steps) < 3:
+        """Return how much each process has grown with every step of the second half [bytes]."""
+        middle = (self.steps[0] + self.steps[-1])/2 if self.steps else 0
+        half = bisect_left(self.steps, middle)
+        steps, memory = self.steps[half:], self.memory[half:]
+        if len(steps) < 3:
             raise BadInput('the flight was too short to say how memory grows')
-        return {name: float(np.polyfit(self.steps, [m.get(name, 0) for m in self.memory], 1)[0])
-                for name in self.memory[-1]}
+        return {name: float(np.polyfit(steps, [m.get(name, 0) for m in memory], 1)[0])
+                for name in memory[-1]}
+
+    def grown(self) -> dict[str, int]:
+        """Return by how much each process has grown after the warm-up [bytes]."""
+        return {name: now - self.memory[0].get(name, 0) for name, now in self.memory[-1].items()}
 
 
 def measure(quick: bool = False, steps: dict[str, int] | None = None) -> dict:
@@ -78,7 +90,7 @@ def measure(quick: bool = False, steps: dict[str, int] | None = None) -> dict:
         found[processes] = {
             'steps': notes.steps[-1] - notes.steps[0],
             'bytes_per_step': {n: round(g, 2) for n, g in notes.growth().items()},
-            'nodes': notes.nodes,
+            'kilobytes_in_all': {n: round(g/1e3) for n, g in notes.grown().items()},
             'megabytes': {n: round(m/1e6, 1) for n, m in notes.memory[-1].items()}}
     return found
 
@@ -90,9 +102,12 @@ def fly(processes: str, steps: int, folder: Path, domain: int) -> Notes:
     Raises
     ------
     ValueError
-        If the flight does not come so far; names what ended it.
+        If the flight does not come so far, and what ended it; or if the disk has no room.
     """
     last = WARM_UP_STEPS + steps
+    if shutil.disk_usage(folder).free < last*BAG_BYTES:
+        raise BadInput(f'the bag of {last} steps takes {last*BAG_BYTES/1e9:.1f} GB, and {folder} has '
+                       'less: set TMPDIR to a folder that has it')
     path = folder / 'scenario.yaml'
     path.write_text(SCENARIO.format(processes=processes, step_s=STEP_S,
                                     timeout_s=STEP_S*(last + 1000)))
@@ -100,7 +115,7 @@ def fly(processes: str, steps: int, folder: Path, domain: int) -> Notes:
     roster = listed(load(path), headless=False)
     supervisor = Supervisor(catalogue.root() / 'scripts' / 'bringup.sh', path, folder, False,
                             domain, roster, new_run())
-    notes = Notes({process.name: len(process.nodes) for process in roster.processes})
+    notes = Notes()
     moved, newest = time.monotonic(), -1
     try:
         while newest < last:
