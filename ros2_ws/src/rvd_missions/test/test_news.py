@@ -1,4 +1,4 @@
-"""A filter that begins anew says so: its block has it in `news`, its node puts it on /run/events."""
+"""A filter that begins anew says so: it is in `news` of its block, and on /run/events."""
 
 import numpy as np
 import pytest
