@@ -30,12 +30,17 @@ def test_the_observer_of_the_tether_leaves_an_outlier_out(observer, bad):
 def test_the_observer_is_not_locked_out(observer):
     said = observer.take(0, np.full((2, 3), np.nan))
     z = said + [30.0, 0.0, 0.0]                 # the encoder says 30 m more, for good
-    off = []
+    off, news = [], []
     for k in range(1, 40):
         said = observer.take(k, z)
+        news += [(k, text) for _, text in observer.news()]
         off.append(np.abs(z - said)[0, 0])
     assert min(off[:10]) > 20.0 and off[-1] < 3.0 and observer._missed.max() <= 10
     assert np.isfinite(observer.covariance).all()
+    assert news[0][0] == 11 and news[0][1].startswith('length of the tether: 10 in a row')
+    observer.take(40, np.full((2, 3), np.nan))
+    assert not observer.news()                  # of a step in which nothing was measured
+
 
 
 # -- docking ---------------------------------------------------------------------------------------
@@ -77,7 +82,12 @@ def test_navigation_is_not_locked_out():
     made = navigation(1)
     seen = [view((9.0, 0.0, 0.0)) if k % 5 == 0 else None for k in range(50)]
     seen += [view((3.0, 0.0, 0.0)) if k % 5 == 0 else None for k in range(50, 150)]
-    got = fly(made, seen)
+    assert not made.news()
+    got, news = [], []
+    for k, one in enumerate(seen):
+        got += fly(made, [one])
+        news += [(k, text) for _, text in made.news()]
+    assert [k for k, _ in news] == [100] and 'views of the camera: 10 in a row' in news[0][1]
     assert abs(got[95].position[0, 0] - got[45].position[0, 0]) < 0.1       # ten are left out
     assert got[-1].position[0, 0] - got[45].position[0, 0] == pytest.approx(6.0, abs=0.1)
 

@@ -26,6 +26,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rvd_dynamics.bad_input import BadInput
+from rvd_dynamics.diagram.news import begun_anew, News
 from rvd_dynamics.motion import cw
 from rvd_dynamics.motion.orbit import OrbitParams, StartParams
 from rvd_dynamics.diagram.params import param, settings
@@ -88,7 +89,7 @@ class Predictor:
         self._process_loop = _accumulated(
             params.kalman.process_covariance(self._gamma, dt), self._phi, loop)
         self._filter = FILTERS[params.filter](params.kalman, run, orbit, start, batch, track)
-        self._track = track
+        self._track, self._patience = track, params.kalman.gate_patience
         self._valid = np.zeros(batch, dtype=bool)
         self._next_step = 0
         # [-1] is the newest: the model at k + forward_steps, the command sent at k - 1; [0] is
@@ -152,6 +153,10 @@ class Predictor:
                     *self._updates[-1])
             self._valid = self._valid | received
         return self._predict()
+
+    def news(self) -> News:
+        """Return whether the filter of any row has begun anew in the last step."""
+        return [begun_anew('telemetry', self._patience)] if self._filter.gate.anew.any() else []
 
     # -- what acts --------------------------------------------------------------------------
 
@@ -260,7 +265,6 @@ class Predictor:
             p, p_loop = p + self._scatter(self._spread), p_loop + self._scatter(ahead)
         known = valid[..., None, None]
         return np.where(known, p, np.nan), np.where(known, p_loop, np.nan)
-
 
     def _scatter(self, differences: Array) -> Array:
         """Return the covariance (..., 6, 6) of differences (h, ..., 6) by arrival of an ABORT."""

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from rvd_dynamics.commands.codes import KIND_ABORT, KIND_THRUST
 from rvd_dynamics.diagram.control import Control
+from rvd_dynamics.diagram.news import News
 from rvd_dynamics.diagram.params import param, settings
 from rvd_dynamics.diagram.run import Run
 from rvd_dynamics.geometry.pinhole import CameraParams, require_markers
@@ -84,6 +85,10 @@ class Navigation:
             position=self._out(now.position), velocity=self._out(now.velocity),
             attitude=self._out(now.attitude), rate=self._out(now.rate), nis=self._out(now.nis),
             sigma=self._out(self._filters.sigma()))}
+
+    def news(self) -> News:
+        """Return whether the filters of any row have begun anew in the last step."""
+        return self._filters.news()
 
     def _felt(self, inertial: Any) -> tuple[NDArray, NDArray]:
         """Return rate and force (N, 3); the sample before goes on where one has not come."""

@@ -95,6 +95,7 @@ class StatePredictor:
         track = scored or bool({'estimate.covariance', 'prediction.covariance'} & wanted)
         self._predictor = Predictor(settings, run, legs, orbit, start, form, batch, track,
                                     abort_profile)
+        self.news = self._predictor.news
         self._score = Score(legs, batch) if scored else None
 
     def step(self, k: int, telemetry: Any, command: Any, late: Mapping[int, Any] | None = None

@@ -35,6 +35,7 @@ class StatePredictor:
         track = bool({'estimate.covariance', 'prediction.covariance'} & wanted)
         self._navigation = Navigation(settings, run, legs, orbit, start, obstacles, form, batch,
                                       track)
+        self.news = self._navigation.news
         self._obstacles = block.writes['obstacles']
         self._estimate, self._prediction = block.writes['estimate'], block.writes['prediction']
 

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.commands.form import CommandForm
+from rvd_dynamics.diagram.news import begun_anew, News
 from rvd_dynamics.diagram.params import param, require, settings
 from rvd_dynamics.diagram.run import Legs, Run
 from rvd_dynamics.geometry.collision import require_definite
@@ -197,6 +198,7 @@ class Tracker:
         self._state = np.full((*batch, obstacles.count, 6), np.nan)
         self._gate, self._patience = params.gate_nis, params.gate_patience
         self._lost, self._in_a_row = np.zeros((2, *batch, obstacles.count), dtype=np.int64)
+        self._anew = np.zeros((*batch, obstacles.count), dtype=bool)
 
     def advance(self, k: int, measured: Array, received: NDArray) -> Array:
         """Return the obstacles (..., M, 6) foreseen for a command of step k."""
@@ -209,7 +211,8 @@ class Tracker:
             received = received[..., None]
             self._in_a_row = np.where(received, np.where(good, 0, self._in_a_row + 1),
                                       self._in_a_row)
-            anew = self._in_a_row > self._patience
+            self._anew = anew = received & (self._in_a_row > self._patience)
+            self._in_a_row = np.where(anew, 0, self._in_a_row)
             received = received & (good | anew)
             self._lost = np.where(received, 0, self._lost + 1)
             known = known & ~anew
@@ -218,6 +221,14 @@ class Tracker:
             updated = np.where(known[..., None], carried + update, measured)
             self._state = np.where(received[..., None], updated, carried)
         return drifted(self._state, self._loop, self._moving)
+
+    def news(self) -> News:
+        """Return which obstacles' filters, of any row, have begun anew in the last step."""
+        if not self._anew.any():
+            return []
+        rows = self._anew.reshape(-1, self._anew.shape[-1])
+        return [begun_anew(f'obstacle {i}', self._patience)
+                for i in np.flatnonzero(rows.any(axis=0))]
 
     def _fits(self, innovation: Array) -> NDArray:
         """Return which measurements (..., M) are no outliers; see `prediction.filter.Gate`."""
@@ -285,6 +296,12 @@ class Navigation:
             covariance = p.covariance[..., None, :3, :3] + self._tracker.covariance()
         return Known(p.estimate, p.predicted, around, p.valid, covariance,
                      (p.estimate_covariance, p.covariance))
+
+    def news(self) -> News:
+        """Return which filters have begun anew in the last step."""
+        if self._predictor is None:
+            return []
+        return self._predictor.news() + self._tracker.news()
 
     def _opened(self) -> Array:
         return np.broadcast_to(self._open[:3, :3], (self._count, 3, 3))

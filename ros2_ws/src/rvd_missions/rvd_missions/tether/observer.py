@@ -21,10 +21,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rvd_dynamics.compiled import compiled
+from rvd_dynamics.diagram.news import begun_anew, News
 from rvd_dynamics.diagram.params import param, settings
 from rvd_missions.tether.settings import ApproachParams, GripperParams, OrbitParams, TetherParams
 
 STATES = 8
+ANEW = -1                       # in place of a count: taken although it is an outlier
+MEASURED = ('length of the tether', 'bearing in the orbit plane', 'bearing out of the orbit plane')
 
 
 @settings
@@ -107,7 +110,8 @@ def correct(x, cov, z, sigma, along, length, gate, patience, missed):
     Take measurements (N, 3), NaN where there is none, in place.
 
     One whose innovation squared is above `gate` times its variance is left out and counted in
-    `missed` (N, 3); after `patience` of them in a row the covariance is widened until it is within.
+    `missed` (N, 3); after `patience` of them in a row the covariance is widened until it is within,
+    and `missed` is ANEW.
 
     `sigma` (3,) is their noise, `along` (2,) the direction of the baseline in the orbit plane,
     `length` its assumed value now [m].
@@ -144,7 +148,7 @@ def correct(x, cov, z, sigma, along, length, gate, patience, missed):
                 spread += slope[i]*gain[i]
             off = z[row, which] - said
             if not off*off <= gate*spread:
-                missed[row, which] += 1
+                missed[row, which] = max(missed[row, which], 0) + 1
                 if missed[row, which] <= patience or not off*off < np.inf:
                     continue
                 wider = off*off/(gate*spread)
@@ -153,7 +157,9 @@ def correct(x, cov, z, sigma, along, length, gate, patience, missed):
                         cov[row, i, j] *= wider
                     gain[i] *= wider
                 spread = wider*(spread - sigma[which]*sigma[which]) + sigma[which]*sigma[which]
-            missed[row, which] = 0
+                missed[row, which] = ANEW
+            else:
+                missed[row, which] = 0
             for i in range(STATES):
                 p[i] += gain[i]*off/spread
             for i in range(STATES):
@@ -179,6 +185,7 @@ class Observer:
         self._command = np.tile([tether.least_n, *[0.0]*6], (rows, 1))
         self._gate, self._patience = settings.gate_nis, settings.gate_patience
         self._missed = np.zeros((rows, 3), dtype=np.int64)
+        self._seen = np.zeros((rows, 3), dtype=bool)
 
     def take(self, k: int, seen: NDArray) -> NDArray[np.float64]:
         """Return what should be seen (N, 3): length and angles, after those of step k (N, 3)."""
@@ -190,6 +197,7 @@ class Observer:
                     np.array([g, np.sin(turn), np.cos(turn)]), self._mass, self._density, self._h)
         stretch = 1.0 + self._command[:, 0]/self._stiffness
         now, start = self._orbit.at(k*self._h), self._orbit.at(0.0)
+        self._seen = np.isfinite(seen)
         turn, size = now.anomaly - start.anomaly, self._length*now.radius/start.radius
         along = np.array([np.cos(turn), np.sin(turn)])
         correct(self.state, self.covariance, np.stack(
@@ -205,6 +213,13 @@ class Observer:
     def sent(self, commands: NDArray) -> None:
         """Note the commands (N, 7) of this step, which act until the next one."""
         self._command = np.ascontiguousarray(commands)
+
+    def news(self) -> News:
+        """Return which measurements, of any row, were taken last although they were outliers."""
+        anew = self._seen & (self._missed == ANEW)
+        if not anew.any():
+            return []
+        return [begun_anew(MEASURED[i], self._patience) for i in np.flatnonzero(anew.any(axis=0))]
 
 
 def shifted(place: NDArray, target: NDArray, error: NDArray, part: float) -> NDArray[np.float64]:

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rvd_dynamics.commands.codes import KIND_ABORT, KIND_THRUST
+from rvd_dynamics.diagram.news import News
 from rvd_dynamics.diagram.params import param, settings
 from rvd_dynamics.diagram.run import Run
 from rvd_missions.tether import geometry
@@ -150,6 +151,10 @@ class GripperTracker:
                                      range=distance),
                 'downlink': DOWNLINK(state=np.concatenate(
                     [measured, planned, distance[..., np.newaxis], command[..., :1]], axis=-1))}
+
+    def news(self) -> News:
+        """Return what the observer has taken against its gate in the last step."""
+        return [] if self._observer is None else self._observer.news()
 
     def _observed(self, k: int, at: int, measured: NDArray, planned: NDArray
                   ) -> tuple[NDArray, NDArray, NDArray]:

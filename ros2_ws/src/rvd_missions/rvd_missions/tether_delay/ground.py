@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.commands.codes import KIND_ABORT, KIND_THRUST
 from rvd_dynamics.diagram.control import Control
+from rvd_dynamics.diagram.news import News
 from rvd_dynamics.diagram.run import Legs, Run
 from rvd_groundstation.planning.plan import Plan
 from rvd_missions.tether import geometry
@@ -143,6 +144,10 @@ class MissionControl:
                 'uplink': UPLINK(command=self._shaped(sent), kind=kind,
                                  expedited=np.bool_(control.abort)),
                 'situation': self._situation(ahead)}
+
+    def news(self) -> News:
+        """Return what the filter of the gripper's flight has taken against its gate."""
+        return [] if self._follower is None else self._follower.news()
 
     def _shaped(self, v: NDArray) -> NDArray:
         return np.reshape(v, (*self._batch, *v.shape[1:]))

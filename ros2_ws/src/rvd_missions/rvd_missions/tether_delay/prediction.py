@@ -17,6 +17,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from rvd_dynamics.diagram.news import News
 from rvd_dynamics.diagram.run import Run
 from rvd_groundstation.planning.plan import Plan
 from rvd_missions.tether import geometry
@@ -74,6 +75,10 @@ class Follower:
         asked = np.where(np.isfinite(state[:, 13:14]), self._commands(state), self._form.neutral)
         self._observer.sent(asked)
         self._told.append((at, flies, state))
+
+    def news(self) -> News:
+        """Return what the observer has taken against its gate in the last step."""
+        return self._observer.news()
 
     @staticmethod
     def _commands(state: NDArray) -> NDArray:

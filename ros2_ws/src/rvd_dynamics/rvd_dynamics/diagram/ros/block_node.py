@@ -44,7 +44,8 @@ class BlockNode(FiringNode):
 
         def available(name: str) -> Any:
             return own[name] if name in own else self.scenario.part(name)
-        self._compute = made(block.make, available, f'block {block.name}').step
+        made_of = made(block.make, available, f'block {block.name}')
+        self._compute, self._news = made_of.step, getattr(made_of, 'news', None)
 
     def on_step(self, k: int, values: dict[str, Any]) -> None:
         """Compute and publish."""
@@ -56,6 +57,9 @@ class BlockNode(FiringNode):
         if self.block.control:
             values['control'] = self._decided()
         outputs = self._compute(k, **values)
+        if self._news is not None:
+            for code, text in self._news():
+                self.event(code, text)
         if k == 0 or self._commands:
             self._check(k, outputs)
         self.before_publishing(k, outputs)

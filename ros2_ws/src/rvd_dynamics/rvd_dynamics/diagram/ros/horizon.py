@@ -25,9 +25,11 @@ class Horizon:
                 has noted how far it is, nobody is ahead of it.
     realtime    a writer fires no faster than the wall clock, which runs on while its reader is
                 stopped. Before the first message nothing is known: a writer that goes on from
-                where it was refused is believed, since its reader may have come late. Nobody is
-                further ahead of what the plant has noted than of its own pace: steps that come one
-                after the other carry a reader no further.
+                where it was refused is believed, since its reader may have come late. Where the
+                plant has noted how far it is, that alone counts, and nobody is further ahead of it
+                than of its own pace: a reader of many topics that is behind meets the newest of one
+                before the oldest of another, and steps that come one after the other carry no
+                reader beyond the plant.
 
     Parameters
     ----------
@@ -56,10 +58,12 @@ class Horizon:
         """Return the last step that is believed now, of a reader that needs step `need` next."""
         if self._step_s is None:
             return min(max(need, 0) + self._queue*self._period, self._most())
+        if self._made() is not None:
+            return self._most()
         allowed = max(self._newest, need, 0) + AHEAD*self._period
         if self._newest >= 0:
             allowed += int((time.monotonic() - self._came)/self._step_s)
-        return min(allowed, self._most())
+        return min(allowed, self._last_step)
 
     def _most(self) -> int:
         """Return the last step that can be, whatever has come."""

@@ -30,6 +30,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from rvd_dynamics.diagram.news import begun_anew, News
 from rvd_dynamics.diagram.params import param, settings
 
 Array = NDArray[np.float64]
@@ -111,6 +112,7 @@ class Navigation:
             s.gyro == 'integrating', 0.5*alpha*fusion_s if inside else 0.0,
             0.0 if inside else alpha, s.gate_nis, s.gate_patience)
         self.missed = np.zeros(rows, dtype=np.int64)        # outliers in a row
+        self._patience, self._anew = s.gate_patience, False
         self._noises = ((0.5*step_s*DEG*s.gyro_sigma_deg_s)**2, step_s*s.gyro_walk_rad_s**2,
                         (step_s*s.accel_sigma_m_s2)**2, step_s*s.accel_walk_m_s2**2)
         self._start = np.array([(DEG/3600.0*s.gyro_bias_deg_h)**2, s.speed_sigma_m_s**2,
@@ -136,13 +138,19 @@ class Navigation:
         self._samples[:, -1, :3], self._samples[:, -1, 3:] = rate, force
         place, turn, covariance = self._nothing if pose is None else (
             np.array(part, dtype=float, order='C') for part in pose)  # read-only: compiled again
+        due = self.missed >= self._patience
         nis = _compiled().advance(
             self.attitude, self.bias, self.attitude_covariance, self.state, self.covariance,
-            self.known, self.missed, self._samples, place, turn, covariance, self._settings, self._noises,
-            self._start, self._port, self._output)
+            self.known, self.missed, self._samples, place, turn, covariance, self._settings,
+            self._noises, self._start, self._port, self._output)
+        self._anew = bool((due & (self.missed == 0)).any())
         out = self._output
         return Estimate(out[:, 0:4].copy(), out[:, 4:7].copy(), out[:, 7:10].copy(),
                         out[:, 10:13].copy(), nis)
+
+    def news(self) -> News:
+        """Return whether the filters of any row have begun anew in the last step."""
+        return [begun_anew('views of the camera', self._patience)] if self._anew else []
 
     def sigma(self) -> Array:
         """

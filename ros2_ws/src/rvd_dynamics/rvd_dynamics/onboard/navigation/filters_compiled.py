@@ -260,8 +260,8 @@ def lever(place, p):
 
 
 @compiled
-def advance(q, b, p, s, ps, known, missed, samples, place, turn, covariance, settings, noises, start, port,
-            output):
+def advance(q, b, p, s, ps, known, missed, samples, place, turn, covariance, settings, noises,
+            start, port, output):
     """
     Carry the filters of all rows over a step in place; return both NIS (N, 2), NaN if none.
 
