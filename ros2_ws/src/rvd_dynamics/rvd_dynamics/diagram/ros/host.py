@@ -369,18 +369,25 @@ class Host:
         stay a moment. (Waiting for acknowledgements takes a heartbeat of 3 s, always.)
         """
         if self.nodes and self._lead.context.ok():      # else told to stop: the graph is gone
-            self._publish_the_rest()
-            if RECORDER not in self.roster.names:
-                time.sleep(MOMENT_S)
-            elif RECORDER not in self.nodes:
-                deadline = time.monotonic() + RECORDER_S
-                while time.monotonic() < deadline and self._recorder_is_here():
-                    time.sleep(0.02)
+            try:
+                self._wait_for_readers()
+            except RuntimeError:                # RCLError: told to stop meanwhile
+                if self._lead.context.ok():
+                    raise
         for node in self.nodes.values():
             node.close()
         with lifeline.leaving():
             for node in self.nodes.values():
                 node.destroy_node()
+
+    def _wait_for_readers(self) -> None:
+        self._publish_the_rest()
+        if RECORDER not in self.roster.names:
+            time.sleep(MOMENT_S)
+        elif RECORDER not in self.nodes:
+            deadline = time.monotonic() + RECORDER_S
+            while time.monotonic() < deadline and self._recorder_is_here():
+                time.sleep(0.02)
 
     def _recorder_is_here(self) -> bool:
         readers = self._lead.get_subscriptions_info_by_topic('/run/end')
