@@ -22,7 +22,7 @@ TRUTH = Signal('/truth/spacecraft', (
     Part('sloshing', (2, 3), 'm')), truth=True)         # of each tank's liquid, body axes
 INERTIAL = Signal('/onboard/inertial', (
     Part('rate', (3,), 'rad/s'), Part('force', (3,), 'm/s^2')))             # body axes
-EXPOSED = Part('exposed', (), 'steps', 'i8', -1, low=-1, counts=True)        # step of the picture
+EXPOSED = Part('exposed', (), 'steps', 'i8', -1, counts=True)    # step of the picture; < 0: none yet
 FEATURES = Signal('/onboard/features', (
     Part('pixels', (MARKERS, 2), 'px'), EXPOSED))
 POSE = Signal('/onboard/pose', (                                            # craft axes
