@@ -81,17 +81,23 @@ class Forger:
 
 @pytest.mark.slow
 @pytest.mark.patient
-@pytest.mark.parametrize('topic, message, name', [
-    ('/run/verdict', DOCKED, 'forger'), ('/run/pause', Bool(data=True), 'command_blender')])
+@pytest.mark.parametrize('topic, message, name, seconds', [
+    ('/run/verdict', DOCKED, 'forger', 0.3),
+    ('/run/pause', Bool(data=True), 'command_blender', 0.3),
+    ('/run/pause', Bool(data=False), 'forger', 0.0)])
 def test_a_writer_that_lives_a_moment_ends_the_flight_as_not_to_be_trusted(
-        topic, message, name, flying, tmp_path):
-    """Also one with the name of the node that is to write there; a forged verdict is no verdict."""
+        topic, message, name, seconds, flying, tmp_path):
+    """
+    Also one with the name of the node that is to write there; a forged verdict is no verdict.
+
+    And who leaves at once: his name may not be known, the trace that he leaves is.
+    """
     process = flying()
     in_flight(tmp_path / 'run', 2)
     forger = Forger(flying.domain, name)
     try:
         began = time.time_ns()
-        forger.write(topic, message)
+        forger.write(topic, message, seconds)
         assert process.wait(60.0) == 2
     finally:
         forger.close()

@@ -177,8 +177,7 @@ class Alone:
             getattr(self.node, 'block', None), 'reads', {}).values()}
 
     def hear(self, topic, message):
-        rests = topic == self.of.diagram.truth.name and not self.signals        # the judge
-        self.node.subscriptions_of[topic].callback(*([message, INFO] if rests else [message]))
+        self.node.subscriptions_of[topic].callback(message, INFO)
         self.host.work()
         self.host.raise_error()
 
@@ -622,10 +621,10 @@ def test_the_console_shows_what_can_be_and_nothing_else():
                 else kind()
             for i, (_, attack) in enumerate(attacks(honest, 1)):
                 data = serialize_message(attack)
-                subscription.callback(data if subscription.raw else attack)
+                subscription.callback(data if subscription.raw else attack, INFO)
                 if subscription.raw:
                     node._decode_newest()
-                    subscription.callback(hostile.broken(data[:2000], i))
+                    subscription.callback(hostile.broken(data[:2000], i), INFO)
                     node._decode_newest()
                 host.raise_error()
         shown = [what[2] for what in posts if what[0] == 'signal']

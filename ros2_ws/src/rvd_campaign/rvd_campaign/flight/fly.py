@@ -194,7 +194,8 @@ class Flight:
             os.environ['ROS_LOG_DIR'] = str(run_dir.resolve() / 'logs')     # and not ~/.ros
             from rvd_campaign.flight.watch import FlightWatch   # imports ROS while the nodes do
             self._watch = FlightWatch(self._roster, domain, self._run_id,
-                                      self._supervisor.told)
+                                      self._supervisor.told,
+                                      self._supervisor.pulse)
         except BaseException:                       # Ctrl-C, too
             self._supervisor.stop()
             raise
