@@ -40,7 +40,7 @@ from sensor_msgs.msg import Joy
 SCENARIOS = ('paper', 'hand', 'docking', 'docking_manual', 'ellipse', 'obstacles_moving', 'tether',
              'tether_delay', 'attitude')
 STEP = 3
-INFO = {'source_timestamp': 1, 'publication_sequence_number': 1}
+INFO = {'source_timestamp': 1, 'publication_sequence_number': None}    # of no writer that numbers
 
 
 @lru_cache(maxsize=None)
@@ -425,7 +425,7 @@ class Judge(Alone):
             self.hear(self.truth.name, message)
 
     def end(self, step):
-        self.node.subscriptions_of['/run/end'].callback(UInt64(data=step))
+        self.node.subscriptions_of['/run/end'].callback(UInt64(data=step), INFO)
         self.host.raise_error()
 
     def look(self, times=LOOKS):
