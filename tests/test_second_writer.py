@@ -32,6 +32,7 @@ from rvd_dynamics.recording.reader import newest, read
 from rvd_dynamics.recording.recording import Event
 from rvd_dynamics.verdict_line import Message, VerdictLine
 from rvd_interfaces.msg import RelativeState, RunEvent, Verdict
+from rvd_missions.tether import optimum
 
 TRUTH = '/truth/relative_state'
 DOCKED = Verdict(step=9, final=True, success=True, reason='docked', words='docked', duration=4.5)
@@ -81,17 +82,23 @@ class Forger:
 
 @pytest.mark.slow
 @pytest.mark.patient
-@pytest.mark.parametrize('topic, message, name', [
-    ('/run/verdict', DOCKED, 'forger'), ('/run/pause', Bool(data=True), 'command_blender')])
+@pytest.mark.parametrize('topic, message, name, seconds', [
+    ('/run/verdict', DOCKED, 'forger', 0.3),
+    ('/run/pause', Bool(data=True), 'command_blender', 0.3),
+    ('/run/pause', Bool(data=False), 'forger', 0.0)])
 def test_a_writer_that_lives_a_moment_ends_the_flight_as_not_to_be_trusted(
-        topic, message, name, flying, tmp_path):
-    """Also one with the name of the node that is to write there; a forged verdict is no verdict."""
+        topic, message, name, seconds, flying, tmp_path):
+    """
+    Also one with the name of the node that is to write there; a forged verdict is no verdict.
+
+    And who leaves at once: his name may not be known, the trace that he leaves is.
+    """
     process = flying()
     in_flight(tmp_path / 'run', 2)
     forger = Forger(flying.domain, name)
     try:
         began = time.time_ns()
-        forger.write(topic, message)
+        forger.write(topic, message, seconds)
         assert process.wait(60.0) == 2
     finally:
         forger.close()
@@ -241,6 +248,15 @@ def test_a_bag_without_every_truth_once_is_no_second_opinion(change, why, flight
     told = newest(flight.run, ['/run/verdict'])['/run/verdict']
     doubts, trust = second_opinion.asked(flight.run, read(flight.run).scenario, told, [])
     assert doubts == [] and trust['bag_agrees'] is None and why in trust['bag_says']
+
+
+def test_what_the_judge_plans_for_the_end_is_there_when_it_is_asked_again(monkeypatch):
+    """It takes a second; nodes end meanwhile. What fails is told by who needs it."""
+    optimum.plan.cache_clear()
+    second_opinion.prepare(load(ROOT / 'scenarios' / 'tether.yaml'))
+    assert optimum.plan.cache_info().currsize == 1
+    monkeypatch.setattr(second_opinion, 'judge_of', lambda _: 1/0)
+    second_opinion.prepare(load(ROOT / 'scenarios' / 'tether.yaml'))
 
 
 # -- what comes from messages does nothing to a terminal ------------------------------------------

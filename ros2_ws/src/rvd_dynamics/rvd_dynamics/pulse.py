@@ -7,6 +7,7 @@ each turn of its loop and at each firing, so that one that is stopped, hangs or 
 silent. The plant notes how far the run has come; the recorder counts by that what it never heard.
 Who started the run notes in words what it sees of the processes, and the recorder puts that into
 the bag, even what was said while it stood still itself.
+Each process marks topics on which it found a trace of a second writer; the monitor says so.
 
 Source  memfd_create(2); CLOCK_MONOTONIC is one clock for all processes of a machine.
 """
@@ -22,6 +23,7 @@ BEAT_S = 0.5                    # [s] wall time after which a process that has n
 FLOWN, FINAL, SAID, FIRST = 0, 1, 2, 3
 WORD = 8                        # [bytes] int64, which the processor stores in one go
 TEXT = 1 << 16                  # [bytes] of all that is said in a run: some hundred sentences
+MARKS = 512                     # [bytes] before it, one for each topic of the run
 NO_STEP = -1
 
 
@@ -36,10 +38,11 @@ class Pulse:
     """
 
     def __init__(self, file: int = -1, places: int = 1) -> None:
-        size = WORD * (FIRST + places) + TEXT
-        self.file = file
+        size = WORD * (FIRST + places) + MARKS + TEXT
+        self.file, self.inherits = file, file >= 0
         self._page = mmap.mmap(file, size)
         self._words = memoryview(self._page).cast('q')
+        self._marks = memoryview(self._page)[-TEXT - MARKS:-TEXT]
         if file < 0:
             self.flown = self.final = NO_STEP
 
@@ -47,7 +50,7 @@ class Pulse:
     def shared(cls, places: int) -> 'Pulse':
         """Make a page for so many processes, which they inherit by its descriptor."""
         file = os.memfd_create(NAME, os.MFD_CLOEXEC | os.MFD_ALLOW_SEALING)
-        os.ftruncate(file, WORD * (FIRST + places) + TEXT)
+        os.ftruncate(file, WORD * (FIRST + places) + MARKS + TEXT)
         fcntl.fcntl(file, fcntl.F_ADD_SEALS, fcntl.F_SEAL_SHRINK | fcntl.F_SEAL_GROW)
         made = cls(file, places)
         made.flown = made.final = NO_STEP
@@ -59,7 +62,7 @@ class Pulse:
         try:
             file = int(os.environ.get(PAGE, ''))
             if f'/memfd:{NAME} ' in os.readlink(f'/proc/self/fd/{file}'):
-                return cls(file, (os.fstat(file).st_size - TEXT) // WORD - FIRST)
+                return cls(file, (os.fstat(file).st_size - TEXT - MARKS) // WORD - FIRST)
         except (ValueError, OSError):
             pass
         return cls()
@@ -79,6 +82,19 @@ class Pulse:
         return self._words[FIRST + place] / 1e9 or None
 
     # -- of the run -------------------------------------------------------------------------
+
+    def mark(self, topic: int) -> bool:
+        """Mark a topic, by its place; return whether another process can see that."""
+        if not self.inherits or topic >= MARKS:
+            return False
+        self._marks[topic] = 1
+        return True
+
+    @property
+    def marked(self) -> list[int]:
+        """The places of the topics that any process has marked."""
+        marks = bytes(self._marks)
+        return [i for i, mark in enumerate(marks) if mark] if any(marks) else []
 
     @property
     def flown(self) -> int:
@@ -114,7 +130,7 @@ class Pulse:
                 (line.split(' ', 2) for line in lines)], end
 
     def __len__(self) -> int:
-        return (len(self._page) - TEXT) // WORD - FIRST
+        return (len(self._page) - TEXT - MARKS) // WORD - FIRST
 
     def handed_on(self) -> None:
         """Close the descriptor, which others have inherited by now; the page stays."""

@@ -461,3 +461,31 @@ def test_a_stick_that_is_good_from_the_start_is_not_talked_about(clock, stick, s
     stick.keep('good')
     stick.value(0)
     assert said == []
+
+
+# -- the end ---------------------------------------------------------------------------------
+
+@pytest.fixture
+def closing(monkeypatch):
+    """Return a process that waits for the recorder as it closes, and what happens meanwhile."""
+    host = Host(arguments(toy_mission.scenario(processes='blocks', nodes=(
+        'plant', 'sensor', 'law', 'guard', 'bag_recorder'))))
+    make(host, ('sensor',))
+    looks = host._recorder_is_here
+
+    def meanwhile(happens):
+        monkeypatch.setattr(host, '_recorder_is_here', lambda: (happens(), looks())[1])
+        host.close()
+    return meanwhile
+
+
+def test_a_process_that_is_told_to_stop_while_it_closes_leaves_quietly(closing):
+    closing(rclpy.shutdown)
+
+
+def test_but_an_error_of_ours_in_that_wait_is_not_kept_quiet(closing):
+    """The negative twin: the graph is still there."""
+    def fails():
+        raise RuntimeError('of ours')
+    with pytest.raises(RuntimeError, match='of ours'):
+        closing(fails)

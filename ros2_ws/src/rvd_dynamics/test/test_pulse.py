@@ -16,13 +16,14 @@ def test_what_a_process_notes_the_one_that_made_the_page_sees():
     page = Pulse.shared(3)
     assert (page.flown, page.final, len(page)) == (-1, -1, 3)
     assert [page.beaten_s(place) for place in range(3)] == [None]*3
-    code = ('import time; from rvd_dynamics.pulse import Pulse; page = Pulse.inherited();'
+    code = ('import time; from rvd_dynamics import pulse; page = pulse.Pulse.inherited();'
             'page.beat(1, time.monotonic_ns()); page.beat(2, 5); page.leave(2); page.flown = 7;'
-            'page.final = 9; print(len(page))')
+            'page.final = 9; print(len(page), page.mark(7), page.mark(pulse.MARKS))')
     begun = time.monotonic()
     done = subprocess.run([sys.executable, '-c', code], pass_fds=(page.file,), text=True,
                           env={**os.environ, pulse.PAGE: str(page.file)}, capture_output=True)
-    assert done.stdout == '3\n', done.stderr
+    assert done.stdout == '3 True False\n', done.stderr
+    assert page.marked == [7]
     assert begun < page.beaten_s(1) < time.monotonic()          # one clock for all
     assert (page.beaten_s(0), page.beaten_s(2), page.flown, page.final) == (None, None, 7, 9)
     with pytest.raises(PermissionError):        # nobody can take it from under the others
@@ -56,6 +57,7 @@ def test_without_a_page_a_process_has_one_of_its_own(given, monkeypatch, tmp_pat
         page = Pulse.inherited()
         page.beat(0, 3_000_000_000)
         assert (page.file, len(page), page.beaten_s(0), page.flown) == (-1, 1, 3.0, -1)
+        assert not page.mark(0) and page.marked == []           # nobody else sees it
         assert (tmp_path / 'file').read_bytes() == bytes(64)
 
 

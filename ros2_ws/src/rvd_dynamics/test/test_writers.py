@@ -7,7 +7,7 @@ import pytest
 
 from rvd_dynamics.diagram.identity import new_run
 from rvd_dynamics.diagram.ros.writers import (
-    LATE_S, NAMELESS_S, OTHER_RUN_S, UNKNOWN_NODE, Writers)
+    LATE_S, NAMED_S, NAMELESS_S, OTHER_RUN_S, UNKNOWN_NODE, Writers)
 from rvd_dynamics.diagram.roster import ALSO_WRITES, listed, SECOND_WRITER
 from rvd_dynamics.diagram.scenario import load, parse
 
@@ -368,3 +368,21 @@ def test_a_quiet_graph_is_asked_for_numbers_alone(graph, look):
     for _ in range(3):
         look()
     assert graph.asked == asked
+
+
+def test_who_has_left_a_trace_alone_is_told_after_a_moment(roster, graph):
+    writers = Writers(roster, RUN, graph, lambda: graph.now, lambda: graph.crowd)
+    for later, expected in ((0.125, []), (NAMED_S, [('/run/pause', '')]), (1.0, [])):
+        graph.now += later
+        assert told(writers.look(True, ['/run/pause'])) == expected
+
+
+def test_and_by_the_name_that_was_seen_meanwhile(roster, graph):
+    writers = Writers(roster, RUN, graph, lambda: graph.now, lambda: graph.crowd)
+    assert writers.look(True, ['/run/pause']) == []
+    gid, = graph.come('forger', '/run/pause', enclave='/')
+    graph.now += 0.125
+    assert told(writers.look(True, ['/run/pause'])) == [('/run/pause', 'forger')]
+    graph.go('/run/pause', gid)
+    graph.now += 1.0
+    assert writers.look(True, ['/run/pause']) == []

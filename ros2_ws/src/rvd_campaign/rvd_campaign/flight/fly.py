@@ -194,7 +194,8 @@ class Flight:
             os.environ['ROS_LOG_DIR'] = str(run_dir.resolve() / 'logs')     # and not ~/.ros
             from rvd_campaign.flight.watch import FlightWatch   # imports ROS while the nodes do
             self._watch = FlightWatch(self._roster, domain, self._run_id,
-                                      self._supervisor.told)
+                                      self._supervisor.told,
+                                      self._supervisor.pulse)
         except BaseException:                       # Ctrl-C, too
             self._supervisor.stop()
             raise
@@ -408,6 +409,8 @@ class Flight:
         longer than that to write its index; as long as it grows, the recorder works.
         """
         _load_the_report()
+        from rvd_campaign.flight import second_opinion      # imports ROS, by now loaded
+        second_opinion.prepare(self._scenario)
         deadline, written = time.monotonic() + END_S, self._written()
         foreign = {e.name for e in self._roster.diagram.externals if e.foreign}
         while not self._supervisor.ended and time.monotonic() < deadline:

@@ -11,6 +11,8 @@ from pathlib import Path
 import traceback
 from typing import Any
 
+import numpy as np
+
 from rvd_campaign.flight import verdict
 
 from rvd_dynamics.bad_input import BadInput
@@ -51,6 +53,20 @@ def asked(run_dir: Path, scenario: Scenario, told: Any, strangers: Iterable[str]
     if agrees is False:
         found.append(why)
     return found, verdict.trust(found, agrees, why)
+
+
+def prepare(scenario: Scenario) -> None:
+    """
+    Let the judge load, compile and plan what it does at its first steps and at the end of a run.
+
+    It takes up to a second, in which the nodes of a run end. What fails here fails again where the
+    verdict waits for it, and is told there.
+    """
+    with suppress(Exception):
+        start, judge = scenario.diagram.truth.initial(()), judge_of(scenario)
+        judge.follow(0, start)
+        judge.follow(1, start._replace(final=np.True_))
+        judge.verdict(True)
 
 
 def over_the_bag(run_dir: Path, scenario: Scenario) -> Judgement:

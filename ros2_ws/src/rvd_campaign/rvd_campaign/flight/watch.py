@@ -23,14 +23,17 @@ from rvd_dynamics.diagram.judge import from_message
 from rvd_dynamics.diagram.ros import qos
 from rvd_dynamics.diagram.ros.conversions import ns_of
 from rvd_dynamics.diagram.ros.host import message_type
-from rvd_dynamics.diagram.ros.writers import NAMELESS, Writers
+from rvd_dynamics.diagram.ros.traces import Traces
+from rvd_dynamics.diagram.ros.writers import NAMELESS, Stranger, Writers
 from rvd_dynamics.diagram.roster import Roster
+from rvd_dynamics.pulse import Pulse
 from rvd_dynamics.verdict_line import Message, STRANGER, VERDICT
 from rvd_interfaces.msg import Verdict
 
 THRUST_COMMAND = 'rvd_interfaces/msg/ThrustCommand'
 SETTLE_S = 3.0                  # [s] wall time without news after which a look back is complete
-TELL_S = 1.0                    # [s] wall time in which the run itself says who is a stranger
+TELL_S = 3.0                    # [s] wall time in which the run itself says who is a stranger
+STORE_S = 0.3                   # [s] wall time in which the recorder gets that, too
 GLANCE_S = 0.05                 # [s] wall time between two looks at the flight
 DECIDES = {BY_NOBODY: 'nobody', BY_PILOT: 'pilot', BY_AUTO: 'auto', BY_GUARD: 'guard'}
 
@@ -48,14 +51,16 @@ class FlightWatch:
     """Follows one run; `spin` it, then ask."""
 
     def __init__(self, roster: Roster, domain: int, run_id: str,
-                 told: Callable[[], list[Message]] = list) -> None:
+                 told: Callable[[], list[Message]] = list,
+                 page: Pulse | None = None) -> None:
         """
         Join the domain of a run.
 
         `told`: returns what the judge's process has told so far by a line of its own. What is on
-        /run/verdict and /run/events anybody may have written.
+        /run/verdict and /run/events anybody may have written. `page`: that of the run, on which
+        readers mark the topics with a trace of a second writer.
         """
-        self._run_id, self._told = run_id, told
+        self._run_id, self._told, self._page = run_id, told, page or Pulse()
         self._roster, self._run = roster, roster.scenario.run
         self._held = roster.scenario.has_shared('joy_input') and \
             roster.scenario.part('operation').joy_input == 'held'
@@ -79,6 +84,8 @@ class FlightWatch:
         self._events: list[Any] = []
         self._seen: dict[str, str] = {}         # what was said of a second writer, by topic
         self._writers = Writers(roster, run_id, self._node)
+        self._traces = Traces(roster, run_id, lambda: self._node)
+        self._traced: dict[str, None] = {}      # the topics with such a trace
         self._waited_for = set(roster.names) - {
             e.name for e in roster.diagram.externals if e.foreign}
         self.refused: dict[str, str] = {}       # by node: what it said last that it had left out
@@ -93,9 +100,14 @@ class FlightWatch:
 
     def _subscribe(self, topic: str, callback: Any, raw: bool = False) -> None:
         profile = qos.of(topic, self._held)
-        self._node.create_subscription(
-            message_type(self._roster.topics[topic]), topic, callback,
-            _newest(profile) if raw else profile, raw=raw)
+        numbers = self._traces.numbers(topic)
+
+        def call(message: Any, info: dict) -> None:     # rclpy counts the arguments
+            numbers(info)
+            callback(message)
+        self._traces.follow(topic, self._node.create_subscription(
+            message_type(self._roster.topics[topic]), topic, call,
+            _newest(profile) if raw else profile, raw=raw))
 
     @property
     def begun(self) -> bool:
@@ -165,9 +177,19 @@ class FlightWatch:
             # Always the same timeout: with another one the executor begins its round anew, and
             # the first topic that is always ready starves the rest.
             self._executor.spin_once(timeout_sec=GLANCE_S)
-            for stranger in self._writers.look(self._waited_for <= self.ready):
+            begun = self._waited_for <= self.ready
+            if begun and not self._traces.begun:
+                self._traces.begin()
+            self._look_for_traces()
+            for stranger in self._writers.look(begun, self._traced):
                 if stranger.counts:
                     self._note(stranger.words)
+
+    def _look_for_traces(self, last: bool = False) -> None:
+        for topic in self._traces.look(last):   # the monitor is to know of it, too
+            self._page.mark(self._roster.place_of(topic))
+            self._traced[topic] = None
+        self._traced |= dict.fromkeys(self._roster.at_places(self._page.marked))
 
     @property
     def strangers(self) -> list[str]:
@@ -188,6 +210,7 @@ class FlightWatch:
         until = time.monotonic() + TELL_S
         while not self._told_of_strangers() and time.monotonic() < until:
             self.spin(GLANCE_S)
+        self.spin(STORE_S)
 
     def is_written(self, topic: str) -> bool:
         """Say whether any node publishes a topic."""
@@ -244,6 +267,10 @@ class FlightWatch:
 
     def close(self) -> None:
         """Leave the graph."""
+        self._look_for_traces(last=True)
+        for topic in self._traced:
+            self._note(Stranger(topic, '', False, True).words)
+        self._traces.close()
         self._executor.shutdown()
         self._node.destroy_node()
         self._context.try_shutdown()

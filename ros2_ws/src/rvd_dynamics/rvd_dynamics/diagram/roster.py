@@ -192,6 +192,18 @@ class Roster:
         """Return who may write on a topic of the run."""
         return self._may_write[topic]
 
+    def place_of(self, topic: str) -> int:
+        """Return the place of a topic among those of the run, the same in each process."""
+        return self._places.index(topic)
+
+    def at_places(self, places: Iterable[int]) -> list[str]:
+        """Return the topics at places."""
+        return [self._places[i] for i in places if i < len(self._places)]
+
+    @cached_property
+    def _places(self) -> list[str]:
+        return sorted(self.topics)
+
     def home_of(self, name: str) -> str:
         """Return the process of a node; one that nobody groups is alone."""
         return self.process_of.get(name, name)

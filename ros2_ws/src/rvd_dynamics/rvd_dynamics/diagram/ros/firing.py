@@ -185,7 +185,7 @@ class FiringNode(RunNode):
                             subscription.msg_type, subscription.raw)
                     if found is None:
                         break
-                    subscription.callback(found[0])
+                    subscription.callback(*found)
         finally:
             self._taking = False
 

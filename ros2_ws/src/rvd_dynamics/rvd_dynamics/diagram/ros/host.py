@@ -33,7 +33,9 @@ from rvd_dynamics.diagram.ros.arguments import Arguments
 from rvd_dynamics.diagram.ros.conversions import header_at
 from rvd_dynamics.diagram.ros.ending import Ending
 from rvd_dynamics.diagram.ros.node import RunNode
-from rvd_dynamics.diagram.roster import COMMON, RECORDER, Roster
+from rvd_dynamics.diagram.ros.traces import Traces
+from rvd_dynamics.diagram.ros.writers import Stranger
+from rvd_dynamics.diagram.roster import COMMON, RECORDER, Roster, SECOND_WRITER
 from rvd_dynamics.pulse import BEAT_S, Pulse
 from rvd_interfaces.msg import RunEvent
 
@@ -47,6 +49,7 @@ MOMENT_S = 0.3                  # [s] wall time in which local readers get what 
 RECORDER_S = 5.0                # [s] wall time that a closing process gives the recorder
 SILENT_NS = 2 * NS_PER_S        # [ns] wall time between two turns that is told
 SLICE_S = 0.05                  # [s] wall time of firing before the executor is looked at again
+TRACES_NS = NS_PER_S // 20      # [ns] wall time between two looks for second writers
 UNKNOWN_NODE = '_NODE_NAME_UNKNOWN_'    # of an endpoint that was seen before its node
 
 
@@ -78,11 +81,13 @@ class Host:
         self._heard = 0                         # [bytes] of what is said on the page
         self._is_told = False                   # the plant notes on our page how far it is
         self._beat_ns = self._looked_ns = self._diagnosed_ns = time.monotonic_ns()
+        self._traced_ns = self._beat_ns
         self._ended = False
         self._busy = False
         self.begun = False                      # the barrier is behind us
         self.ending = Ending(self)
         self.run_id = arguments.run_id
+        self.traces = Traces(self.roster, self.run_id, lambda: self._lead)
 
     # -- nodes ------------------------------------------------------------------------------
 
@@ -200,6 +205,7 @@ class Host:
         if waits:
             return
         self.begun = True
+        self.traces.begin()
         self._barrier.cancel()
         self._lead.destroy_timer(self._barrier)
         for name in self.nodes:
@@ -266,6 +272,9 @@ class Host:
         if still_ns > SILENT_NS and self.begun:
             self._lead.trouble['still'] = (f'stood still for {still_ns / NS_PER_S:.1f} s of wall '
                                            'time, or computed meanwhile')
+        if now - self._traced_ns >= TRACES_NS or self.traces.urgent:
+            self._traced_ns = now
+            self._look_for_traces()
         if now - self._looked_ns < BEAT_NS:
             return
         self._looked_ns = now
@@ -273,6 +282,17 @@ class Host:
         if now - self._diagnosed_ns >= DIAGNOSTICS_PERIOD_NS and self.begun:
             self._diagnosed_ns = now
             self._publish_diagnostics()
+
+    def _look_for_traces(self, last: bool = False) -> None:
+        """Let the monitor know where there was a second writer; by hand, say so here."""
+        for topic in self.traces.look(last):
+            if not self._pulse.mark(self.roster.place_of(topic)):
+                self.event(self._lead, SECOND_WRITER, Stranger(topic, '', False, True).words)
+
+    @property
+    def traced(self) -> list[str]:
+        """The topics on which any process of the run found a trace of a second writer."""
+        return self.roster.at_places(self._pulse.marked)
 
     def _publish_diagnostics(self) -> None:
         lead = self._lead
@@ -369,18 +389,26 @@ class Host:
         stay a moment. (Waiting for acknowledgements takes a heartbeat of 3 s, always.)
         """
         if self.nodes and self._lead.context.ok():      # else told to stop: the graph is gone
-            self._publish_the_rest()
-            if RECORDER not in self.roster.names:
-                time.sleep(MOMENT_S)
-            elif RECORDER not in self.nodes:
-                deadline = time.monotonic() + RECORDER_S
-                while time.monotonic() < deadline and self._recorder_is_here():
-                    time.sleep(0.02)
+            try:
+                self._look_for_traces(last=True)
+                self._wait_for_readers()
+            except RuntimeError:                # RCLError: told to stop meanwhile
+                if self._lead.context.ok():
+                    raise
         for node in self.nodes.values():
             node.close()
         with lifeline.leaving():
             for node in self.nodes.values():
                 node.destroy_node()
+
+    def _wait_for_readers(self) -> None:
+        self._publish_the_rest()
+        if RECORDER not in self.roster.names:
+            time.sleep(MOMENT_S)
+        elif RECORDER not in self.nodes:
+            deadline = time.monotonic() + RECORDER_S
+            while time.monotonic() < deadline and self._recorder_is_here():
+                time.sleep(0.02)
 
     def _recorder_is_here(self) -> bool:
         readers = self._lead.get_subscriptions_info_by_topic('/run/end')

@@ -137,7 +137,7 @@ class MissionMonitor(RunNode):
 
     def _look(self) -> None:
         self._look_at_gap()
-        for stranger in self._writers.look(self.host.begun):
+        for stranger in self._writers.look(self.host.begun, self.host.traced):
             self.trouble[f'{stranger.topic} {stranger.node}'] = stranger.words
             self.event(stranger.code, stranger.words)
             if stranger.counts:

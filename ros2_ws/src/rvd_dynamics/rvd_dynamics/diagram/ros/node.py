@@ -79,27 +79,32 @@ class RunNode(Node):
               group: CallbackGroup | None = None, rests: bool = False,
               profile: QoSProfile | None = None) -> Subscription:
         """Subscribe with the topic's own quality of service; `rests`: see `rest`."""
-        guarded = self.guarded(callback)
+        guarded, numbers = self.guarded(callback), self.host.traces.numbers(topic)
 
-        def call(message: Any) -> None:                 # rclpy counts the arguments
+        def call(message: Any, info: dict) -> None:     # rclpy counts the arguments
+            numbers(info)
             guarded(message)
+            if rests:
+                self.rest(info)
         events = SubscriptionEventCallbacks(use_default_callbacks=False) if self.lean else None
         subscription = self.create_subscription(
-            kind, topic, self._resting(guarded) if rests else call,
-            profile or qos.taken(topic, self.held), raw=raw, callback_group=group,
-            event_callbacks=events)
+            kind, topic, call, profile or qos.taken(topic, self.held), raw=raw,
+            callback_group=group, event_callbacks=events)
         self.subscriptions_of[topic] = subscription
+        self.host.traces.follow(topic, subscription)
         return subscription
 
     def watch_raw(self, topic: str, kind: type, callback: Callable, profile: QoSProfile) -> None:
         """Subscribe to serialised messages; the callback gets the bytes and their origin."""
         events = SubscriptionEventCallbacks(use_default_callbacks=False) if self.lean else None
-        guarded = self.guarded(callback)
+        guarded, numbers = self.guarded(callback), self.host.traces.numbers(topic)
 
         def call(data: bytes, info: dict) -> None:      # rclpy counts the arguments
+            numbers(info)
             guarded(data, info)
         self.subscriptions_of[topic] = self.create_subscription(
             kind, topic, call, profile, raw=True, event_callbacks=events)
+        self.host.traces.follow(topic, self.subscriptions_of[topic])
 
     def writer(self, topic: str, kind: type, profile: QoSProfile | None = None) -> Publisher:
         """Advertise with the topic's own quality of service."""
@@ -139,12 +144,6 @@ class RunNode(Node):
         if 0 <= age_ns < REST_S * 1e9 and not self.finished:
             time.sleep(REST_S)
 
-    def _resting(self, callback: Callable) -> Callable:
-        def call(message, message_info):
-            callback(message)
-            self.rest(message_info)
-        return call
-
     def event(self, code: str, text: str) -> None:
         """Say on /run/events that something happened, once."""
         self.host.event(self, code, text)
@@ -176,3 +175,8 @@ class RunNode(Node):
 
     def close(self) -> None:
         """Be told that the process ends, while its endpoints are still there."""
+
+    def destroy_node(self) -> None:
+        """Leave the graph; a reader of which something is still held would stay in it."""
+        self.host.traces.close()
+        super().destroy_node()

@@ -6,11 +6,12 @@ announces a writer. The table of the run (`Roster.may_write`) says who may; ever
 once. It is looked at some times a second: to count the writers of a topic takes microseconds, and
 only where their number has changed are they asked for by name, and now and then all of them.
 
-Not noticed is a writer that comes and goes between two looks.
+A writer that comes and goes between two looks leaves traces with who reads (`traces`): it is told
+of, too, by its name if that was seen.
 """
 
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 import os
 from pathlib import Path
 import time
@@ -20,6 +21,7 @@ from rvd_dynamics.diagram.identity import AREA
 from rvd_dynamics.diagram.roster import ALSO_WRITES, Roster, SECOND_WRITER
 
 LOOK_S = 0.1                    # [s] wall time between two looks at the numbers of writers
+NAMED_S = 0.25                  # [s] wall time in which one is seen who has left a trace
 NAMES_S = 1.0                   # [s] wall time between two looks at all names
 # [s] wall time in which the node of a new writer becomes known, for each process that wants a core
 NAMELESS_S = 0.5
@@ -96,13 +98,14 @@ class Writers:
         self._begun_at: float | None = None
         self._met = float('-inf')               # when a node of another run was there last
         self._neighbours: dict[bytes, set[str]] | None = None   # of each process, in this look
+        self._traced: dict[str, float] = {}     # topics with a trace of a stranger, and since when
 
-    def look(self, begun: bool) -> list[Stranger]:
+    def look(self, begun: bool, traced: Iterable[str] = ()) -> list[Stranger]:
         """
         Return who is there that should not be, each once; nothing between two looks.
 
         `begun`: every node of the run is there. Before that, a writer whose node is not known yet
-        may be one of them.
+        may be one of them. `traced`: topics on which readers know that there was a stranger.
         """
         now = self._clock()
         if now - self._looked < LOOK_S:
@@ -118,10 +121,23 @@ class Writers:
             if every or count != self._counts[topic] or self._waiting[topic]:
                 self._counts[topic] = count
                 found |= dict.fromkeys(self._of_topic(topic, now))
+        found |= dict.fromkeys(self._nameless(traced, now, {stranger.topic for stranger in found}))
         new = [stranger for stranger in found if stranger not in self._told]
         new = new[:MANY - len(self._told)]
         self._told.update(new)
         return new
+
+    def _nameless(self, traced: Iterable[str], now: float, named: set[str]) -> list[Stranger]:
+        """Return who has left a trace and is not seen, after a moment in which he may be."""
+        found = []
+        for topic in traced:
+            since = self._traced.setdefault(topic, now)
+            if now - since >= NAMED_S and topic not in named | {told.topic for told in self._told}:
+                seems = {waiting.seems for waiting in self._waiting[topic].values()} - {''}
+                node = seems.pop() if len(seems) == 1 else ''
+                rule = self._roster.may_write(topic)
+                found.append(Stranger(topic, node, node in rule.names, rule.counts))
+        return found
 
     def _counted(self) -> dict[str, int]:
         """Return the numbers of writers; what rclpy adds to the question takes 20 times as long."""

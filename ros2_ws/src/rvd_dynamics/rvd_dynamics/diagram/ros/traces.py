@@ -1,0 +1,156 @@
+"""
+Traces that a second writer leaves at a reader, though it comes and goes between two looks at it.
+
+DDS counts for each reader all the writers that it was ever matched with, and no message gets to a
+reader before that. And a writer numbers what it writes from 1, each message by one more than the
+last: in what two of them have written the numbers do not ascend. Neither says who it was; that is
+known while it is there (`writers`).
+
+Nodes of another run that come into this one match its readers, too, until they have seen it and
+leave. They write nothing: the numbers count at once, the count of writers only where no such node
+is seen, as the one of another run is by its enclave.
+
+Source  OMG, Data Distribution Service 1.4, 2.2.4.1: SUBSCRIPTION_MATCHED, total_count; The
+        Real-time Publish-Subscribe Protocol 2.5, 8.3.5.4: sequence numbers of a writer.
+"""
+
+from collections.abc import Callable
+import time
+from typing import Any
+
+from rclpy.impl.implementation_singleton import rclpy_implementation as _rclpy
+from rclpy.subscription import Subscription
+
+from rvd_dynamics.diagram.identity import AREA
+from rvd_dynamics.diagram.ros.writers import OTHER_RUN_S, processes_a_core
+from rvd_dynamics.diagram.roster import Roster
+
+# [s] wall time in which a node of another run becomes known by its writer, for each process that
+# wants a core
+SURE_S = 0.3
+MATCHED = _rclpy.rcl_subscription_event_type_t.RCL_SUBSCRIPTION_MATCHED
+
+
+class Traces:
+    """
+    What the readers of one process know of the writers of a run; ask `look` often.
+
+    Parameters
+    ----------
+    roster : Roster
+    run_id : str
+        Enclave of the run; '/' of nodes that were started by hand.
+    graph : callable
+        Returns any node in the domain, which names nodes and writers.
+    clock : callable
+        Wall time [s].
+    crowd : callable
+        How many processes want each core: names come later then.
+    """
+
+    def __init__(self, roster: Roster, run_id: str, graph: Callable[[], Any],
+                 clock: Callable[[], float] = time.monotonic,
+                 crowd: Callable[[], float] = processes_a_core) -> None:
+        self._roster, self._run_id, self._graph = roster, run_id, graph
+        self._clock, self._crowd = clock, crowd
+        self._matches: dict[str, Any] = {}      # of each topic: what counts its writers
+        self._allowed: dict[str, int] = {}      # writers that each may ever have had
+        self._since: dict[str, float] = {}      # when a reader had more than that first
+        self._met = float('-inf')               # when a node of another run was there last
+        self._found: dict[str, None] = {}
+        self._told: set[str] = set()
+        self.begun = False
+
+    def follow(self, topic: str, subscription: Subscription) -> None:
+        """Count the writers of a reader, where it is known how many there may be."""
+        if topic not in self._roster.topics:
+            return
+        rule = self._roster.may_write(topic)
+        if rule.counts and not rule.anyone:
+            with subscription.handle:
+                self._matches[topic] = _rclpy.EventHandle(subscription.handle, MATCHED)
+
+    def numbers(self, topic: str) -> Callable[[dict], None]:
+        """Return what is to be shown where each message of a topic is from, in their order."""
+        last, found = 0, self._found
+        one = topic in self._roster.topics and self._is_of_one(topic)
+
+        def look(message_info: dict) -> None:
+            nonlocal last
+            number = message_info['publication_sequence_number']
+            if number is None:                  # a middleware that does not tell
+                return
+            if number <= last and one:
+                found[topic] = None
+            last = number
+        return look
+
+    def _is_of_one(self, topic: str) -> bool:
+        rule = self._roster.may_write(topic)
+        return rule.counts and len(rule.names) == 1 and not rule.anyone
+
+    def begin(self) -> None:
+        """Note the writers that are there at the start, when all of the run's own are."""
+        self.begun = True
+        for topic in self._matches:
+            self._allowed[topic] = max(self._own(topic), self._ever(topic))
+
+    def _own(self, topic: str) -> int:
+        """Return how many writers of the run a topic has."""
+        if not self._roster.may_write(topic).shared:
+            return self._roster.expected(topic)[0]
+        external = self._roster.externals
+        return len({self._roster.home_of(name) for name in self._roster.names
+                    if not (name in external and external[name].foreign)})
+
+    def _ever(self, topic: str) -> int:
+        with (event := self._matches[topic]):
+            return event.take_event().total_count
+
+    @property
+    def urgent(self) -> bool:
+        """Whether a message has come that a second writer has written."""
+        return len(self._found) > len(self._told)
+
+    def look(self, last: bool = False) -> list[str]:
+        """Return the topics on which there was a second writer, each once; `last`: be sure now."""
+        for topic, allowed in self._allowed.items():
+            ever = self._ever(topic)
+            if ever > allowed and self._is_nobodys(topic, last):
+                self._found[topic] = None
+            if ever > allowed and topic not in self._since:
+                self._allowed[topic] = ever
+        new = [topic for topic in self._found if topic not in self._told]
+        self._told.update(new)
+        return new
+
+    def _is_nobodys(self, topic: str, last: bool) -> bool:
+        """Say whether there was a writer too many; asked again while it may be another run's."""
+        now = self._clock()
+        self._look_for_others(now)
+        since = self._since.setdefault(topic, now)
+        if now - self._met < OTHER_RUN_S or self._is_one_more_of_ours(topic):
+            del self._since[topic]
+            return False
+        if not last and now - since < SURE_S*max(self._crowd(), 1.0):
+            return False
+        del self._since[topic]
+        return True
+
+    def _look_for_others(self, now: float) -> None:
+        nodes = self._graph().get_node_names_and_namespaces_with_enclaves()
+        if any(enclave.startswith(AREA) and enclave != self._run_id for _, _, enclave in nodes):
+            self._met = now
+
+    def _is_one_more_of_ours(self, topic: str) -> bool:
+        """Say whether a node writes there that may, and that the run began without: a console."""
+        guests = self._roster.may_write(topic).names - set(self._roster.names)
+        return bool(guests) and any(
+            info.node_name in guests
+            for info in self._graph().get_publishers_info_by_topic(topic))
+
+    def close(self) -> None:
+        """Let go of the readers."""
+        for event in self._matches.values():
+            event.destroy_when_not_in_use()
+        self._matches, self._allowed = {}, {}
