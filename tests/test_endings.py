@@ -16,6 +16,7 @@ from runs import (
 from rvd_campaign.flight import fly, supervisor, vigil
 from rvd_campaign.flight.supervisor import Supervisor
 from rvd_dynamics.diagram.roster import Process
+from rvd_dynamics.diagram.scenario import parse
 from rvd_dynamics.pulse import Pulse
 from rvd_dynamics.recording.reader import read
 
@@ -153,6 +154,7 @@ def test_what_processes_answer_to_the_end_of_the_bring_up_is_no_failure_of_their
     roster = SimpleNamespace(processes=(), diagram=SimpleNamespace(externals=()))
     monkeypatch.setattr(supervisor, 'lines', lambda *arguments: [])
     flight = object.__new__(fly.Flight)
+    flight._scenario = parse('{}', 'plain')
     flight._stop_asked = lambda: False
     flight._roster = roster
     flight._supervisor = Supervisor(script, tmp_path / 's.yaml', tmp_path, True, 0, roster, 'run')
@@ -186,6 +188,7 @@ def after_a_flight(monkeypatch, folder, spin):
     """Return a flight that waits for its nodes, one of which does not end; `spin` is its time."""
     monkeypatch.setattr(fly, 'END_S', 0.1)
     flight = object.__new__(fly.Flight)
+    flight._scenario = parse('{}', 'plain')
     flight._run_dir, flight._headless, flight._on_line = folder, True, False
     flight._roster = SimpleNamespace(diagram=SimpleNamespace(externals=()))
     flight._supervisor = supervisor = SimpleNamespace(
@@ -262,6 +265,7 @@ def test_a_process_that_computes_is_given_longer_than_one_that_hangs(
 def test_who_ended_while_the_plant_knew_of_no_last_step_is_named(
         final, said, monkeypatch, tmp_path, capsys):
     flight = object.__new__(fly.Flight)
+    flight._scenario = parse('{}', 'plain')
     flight._headless, flight._on_line, flight._stop_asked = True, False, lambda: False
     flight._early, flight._silences = [], []
     flight._roster = SimpleNamespace(diagram=SimpleNamespace(externals=()),
@@ -285,6 +289,7 @@ def test_a_node_that_fails_when_the_bag_has_the_verdict_takes_nothing_with_it(
         final, monkeypatch, tmp_path, capsys):
     """`fly` need not have heard the verdict: a short run is over before it knows the others."""
     flight = object.__new__(fly.Flight)
+    flight._scenario = parse('{}', 'plain')
     flight._headless, flight._on_line, flight._stop_asked = True, False, lambda: False
     flight._run_dir = tmp_path
     flight._roster = SimpleNamespace(diagram=SimpleNamespace(externals=()))
