@@ -272,7 +272,8 @@ class Host:
         if still_ns > SILENT_NS and self.begun:
             self._lead.trouble['still'] = (f'stood still for {still_ns / NS_PER_S:.1f} s of wall '
                                            'time, or computed meanwhile')
-        if now - self._traced_ns >= TRACES_NS or self.traces.urgent:
+        if (now - self._traced_ns >= TRACES_NS or self.traces.urgent
+                or not self.traces.begun):
             self._traced_ns = now
             self._look_for_traces()
         if now - self._looked_ns < BEAT_NS:

@@ -113,7 +113,15 @@ class Traces:
         return len(self._found) > len(self._told)
 
     def look(self, last: bool = False) -> list[str]:
-        """Return the topics on which there was a second writer, each once; `last`: be sure now."""
+        """
+        Return the topics on which there was a second writer, each once; `last`: be sure now.
+
+        To be called at each turn of the loop until the run begins: a count that has changed and
+        that nobody has read wakes the reader's process at once, again and again.
+        """
+        if not self.begun:
+            for topic in self._matches:
+                self._ever(topic)
         for topic, allowed in self._allowed.items():
             ever = self._ever(topic)
             if ever > allowed and self._is_nobodys(topic, last):
