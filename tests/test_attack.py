@@ -271,7 +271,8 @@ def test_a_forged_end_ends_no_process_of_a_paused_run_and_the_true_one_all(
                 for node in nodes.values():
                     heard = node.subscriptions_of.get(topic)
                     if heard is not None and not heard.raw:
-                        heard.callback(message)
+                        heard.callback(message, {'publication_sequence_number': None,
+                                                 'source_timestamp': 0})
             turn_until(lambda: plant.step >= 5)
             say('/run/pause', Bool(data=True))
             for _ in range(300):                # what is on its way arrives

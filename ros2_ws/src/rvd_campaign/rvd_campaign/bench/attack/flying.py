@@ -114,7 +114,8 @@ class Flying:
         deadline = time.monotonic() + GONE_S
         while (left := self.pids()) and time.monotonic() < deadline:
             time.sleep(LOOK_S)
-        return [f'{pid} {" ".join(words)[:80]}' for pid, words in left.items()]
+        return [f'{pid} {" ".join([Path(words[0]).name, *words[1:]])[:80]}'
+                for pid, words in left.items()]
 
     def kept(self, where: Path) -> Path:
         """Copy the folder of a failure to `where`, or beside it; return its place."""
