@@ -186,7 +186,7 @@ def test_keys_and_a_gamepad_fly_the_craft_by_both_hand_controllers(browser, tmp_
         keys = ('c', 'd', 'ArrowUp')            # to the right, by rates; nose up
         for key in keys:
             page.keyboard.down(key)
-        until(page, f'{rate}[1] > 0.2', 20.0)                       # of 0.3
+        until(page, f'({rate} || [])[1] > 0.2', 20.0)                       # of 0.3
         for key in keys:
             page.keyboard.up(key)
         page.evaluate(PAD)
@@ -195,7 +195,7 @@ def test_keys_and_a_gamepad_fly_the_craft_by_both_hand_controllers(browser, tmp_
         by_keys = page.evaluate('rvd.store.frame.t')
         page.evaluate('''pad.buttons[5] = {pressed: true, value: 1};
                          pad.axes[0] = -1; pad.axes[2] = -1''')     # left; nose left
-        until(page, f'{rate}[2] < -0.2', 20.0)
+        until(page, f'({rate} || [])[2] < -0.2', 20.0)
         run = stop(page, console)
     finally:
         console.close()

@@ -11,6 +11,7 @@ from rvd_campaign.report.run import page
 from rvd_dynamics.diagram.scenario import parse
 from rvd_dynamics.link.channel import LINK_COUNTS
 from rvd_dynamics.recording.bag_writer import BagWriter
+from rvd_dynamics.recording import mcap_records
 from rvd_dynamics.recording.reader import read
 
 TRUTH = ROSTER.diagram.truth.name
@@ -57,6 +58,16 @@ def test_what_the_disk_did_not_take_is_not_what_the_recorder_missed(tmp_path):
     bag.lost.update(dict.fromkeys(ROSTER.owed, LAST + 1))
     bag.close()
     assert held(tmp_path / 'full').complete
+
+
+def test_a_disk_without_room_for_a_note_is_known_by_what_the_recorder_says_it_gave_up(tmp_path):
+    """But not what the recorder missed besides."""
+    (tmp_path / 'bag').mkdir()
+    (tmp_path / 'bag' / 'bag_0.mcap').write_bytes(mcap_records.MAGIC)
+    owed = (LAST + 1)*len(ROSTER.owed)
+    for given_up, complete in ((0, False), (owed - 1, False), (owed, True)):
+        found = kept(tmp_path, ROSTER.owed, TRUTH, LAST, given_up)
+        assert (found.stored, found.complete) == (0, complete)
 
 
 def test_without_a_bag_all_is_missing(tmp_path):

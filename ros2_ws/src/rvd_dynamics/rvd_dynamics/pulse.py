@@ -4,7 +4,8 @@ Signs of life of the processes of a run, on a page of memory that they share.
 Whoever starts a run makes the page and hands it on with the environment: it has no name, needs no
 disk and no middleware, and goes with the last process that has it. A process notes the time at
 each turn of its loop and at each firing, so that one that is stopped, hangs or computes falls
-silent. The plant notes how far the run has come; the recorder counts by that what it never heard.
+silent. The plant notes how far the run has come; the recorder counts by that what it never heard,
+and notes what it has given up for want of disk, which the bag may have no room to say.
 Who started the run notes in words what it sees of the processes, and the recorder puts that into
 the bag, even what was said while it stood still itself.
 Each process marks topics on which it found a trace of a second writer; the monitor says so.
@@ -19,8 +20,9 @@ import os
 PAGE = 'RVD_PULSE'              # environment: descriptor of the page
 NAME = 'rvd_pulse'              # of the page in /proc/PID/maps
 BEAT_S = 0.5                    # [s] wall time after which a process that has nothing to do beats
-# Words: newest step, last step, bytes that were said, and the first of the processes. Text follows.
-FLOWN, FINAL, SAID, FIRST = 0, 1, 2, 3
+# Words: newest step, last step, bytes that were said, messages given up, and the first of the
+# processes. Text follows.
+FLOWN, FINAL, SAID, LOST, FIRST = 0, 1, 2, 3, 4
 WORD = 8                        # [bytes] int64, which the processor stores in one go
 TEXT = 1 << 16                  # [bytes] of all that is said in a run: some hundred sentences
 MARKS = 512                     # [bytes] before it, one for each topic of the run
@@ -113,6 +115,15 @@ class Pulse:
     @final.setter
     def final(self, step: int) -> None:
         self._words[FINAL] = step
+
+    @property
+    def lost(self) -> int:
+        """How many messages the recorder has given up for want of disk."""
+        return self._words[LOST]
+
+    @lost.setter
+    def lost(self, messages: int) -> None:
+        self._words[LOST] = messages
 
     def say(self, code: str, step: int, words: str) -> None:
         """Note what was seen of the processes at `step`; who started the run alone does."""

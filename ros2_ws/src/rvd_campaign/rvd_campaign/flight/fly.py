@@ -461,7 +461,8 @@ class Flight:
         if not self._is_final(judged):
             return None
         last = max(judged.step, self._supervisor.pulse.final)
-        return kept.kept(self._run_dir, self._roster.owed, self._roster.diagram.truth.name, last)
+        return kept.kept(self._run_dir, self._roster.owed, self._roster.diagram.truth.name, last,
+                         self._supervisor.pulse.lost)
 
     # -- what is shown --------------------------------------------------------------------
 

@@ -51,7 +51,8 @@ class Kept(NamedTuple):
                 'steps_stored': self.stored, 'missing': self.missing}
 
 
-def kept(run_dir: Path, owed: Mapping[str, int], truth: str, last_step: int) -> Kept:
+def kept(run_dir: Path, owed: Mapping[str, int], truth: str, last_step: int,
+         given_up: int = 0) -> Kept:
     """
     Return what the bag of a run holds.
 
@@ -64,6 +65,8 @@ def kept(run_dir: Path, owed: Mapping[str, int], truth: str, last_step: int) -> 
         The topic of the truth.
     last_step : int
         Of the run, as the plant or the judge knows it.
+    given_up : int
+        Messages that the recorder says the disk did not take; the bag may have no room for a note.
     """
     stored: dict[str, int] = {}
     lost: dict[str, int] = {}
@@ -79,8 +82,10 @@ def kept(run_dir: Path, owed: Mapping[str, int], truth: str, last_step: int) -> 
             lost[topic] = lost.get(topic, 0) + int(count)
     gaps = {topic: last_step // period + 1 - stored.get(topic, 0) - lost.get(topic, 0)
             for topic, period in owed.items()}
-    return Kept(last_step + 1, min(stored.get(truth, 0), last_step + 1),
-                {topic: gap for topic, gap in gaps.items() if gap > 0})
+    missing = {topic: gap for topic, gap in gaps.items() if gap > 0}
+    if not lost and sum(missing.values()) <= given_up:
+        missing = {}
+    return Kept(last_step + 1, min(stored.get(truth, 0), last_step + 1), missing)
 
 
 def _content(path: Path) -> tuple[dict[str, int], dict[str, dict[str, str]]]:

@@ -238,6 +238,10 @@ class Host:
         """The newest step that the plant has noted, -1 if none, and whether it is the last one."""
         return self._pulse.flown, self._pulse.final >= 0
 
+    def note_lost(self, messages: int) -> None:
+        """Note how many messages there was no disk for; who started the run reads it."""
+        self._pulse.lost = messages
+
     def news(self) -> list[tuple[str, int, str]]:
         """Return what who started the run has said since the last call: code, step and words."""
         said, self._heard = self._pulse.heard(self._heard)

@@ -311,6 +311,7 @@ class BagRecorder(RunNode):
         missing = {topic: str(n) for topic, n in self._ledger.missing.items()}
         unheard = known >= 0 and self.host.final_step is None
         self._bag.close({NOTE_MISSING: missing}, **({'last_step': str(known)} if unheard else {}))
+        self.host.note_lost(sum(self._bag.lost.values()))
 
     def _known(self) -> int:
         """
