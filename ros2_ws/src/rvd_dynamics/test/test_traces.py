@@ -10,7 +10,7 @@ from std_msgs.msg import Bool
 
 from rvd_dynamics.diagram.identity import new_run
 from rvd_dynamics.diagram.ros import qos
-from rvd_dynamics.diagram.ros.traces import SURE_S, Traces
+from rvd_dynamics.diagram.ros.traces import SETTLE_S, STILL_S, SURE_S, Traces
 from rvd_dynamics.diagram.ros.writers import OTHER_RUN_S, Writers
 from rvd_dynamics.diagram.roster import listed
 from rvd_dynamics.diagram.scenario import load
@@ -109,7 +109,8 @@ def test_a_node_of_another_run_that_comes_and_leaves_is_none(reader):
     reader.until(lambda: ('guard', '/') not in reader.node.get_node_names_and_namespaces())
     reader.write_once()                         # its last node, of which the name never came
     assert reader.look() == [] and reader.look(2*SURE_S) == []
-    reader.now += OTHER_RUN_S
+    for _ in range(int(OTHER_RUN_S) + 1):
+        assert reader.look(1.0) == []
     reader.write_once()
     assert reader.look() == [] and reader.look(2*SURE_S) == [TOPIC]
 
@@ -117,6 +118,16 @@ def test_a_node_of_another_run_that_comes_and_leaves_is_none(reader):
 def test_at_the_end_nothing_is_waited_for(reader):
     reader.write_once()
     assert reader.traces.look(last=True) == [TOPIC]
+
+
+def test_after_all_stood_still_its_own_writers_are_found_again_and_are_no_strangers(reader):
+    """The negative twin: once it has settled, a writer too many counts again."""
+    reader.write_once()                         # stands for a writer that was taken for dead
+    assert reader.look(STILL_S + 0.1) == []
+    for _ in range(int(SETTLE_S) + 1):
+        assert reader.look(1.0) == []
+    reader.write_once()
+    assert reader.look() == [] and reader.look(2*SURE_S) == [TOPIC]
 
 
 # -- numbers of messages --------------------------------------------------------------------------
@@ -137,6 +148,19 @@ def test_what_one_writer_has_written_ascends(roster, numbers):
 @pytest.mark.parametrize('numbers', [(1, 2, 3, 1), (1, 1), (57, 1, 58), (1, 2, 2)])
 def test_what_two_have_written_does_not(roster, numbers):
     assert shown(roster, '/clock', *numbers) == (True, ['/clock'])
+
+
+@pytest.mark.parametrize('still_s, told', [(0.9*STILL_S, True), (1.1*STILL_S, False)])
+def test_what_is_handed_over_once_more_after_all_stood_still_is_of_the_same_writer(
+        roster, still_s, told):
+    now = [100.0]
+    traces = Traces(roster, RUN, lambda: None, lambda: now[0])
+    look = traces.numbers('/clock')
+    for number in (1, 2, 3):
+        look({'publication_sequence_number': number})
+    now[0] += still_s
+    look({'publication_sequence_number': 1})    # before anybody has looked
+    assert traces.look() == (['/clock'] if told else [])
 
 
 @pytest.mark.parametrize('topic', ['/run/events', '/diagnostics', '/elsewhere'])

@@ -225,6 +225,19 @@ def test_a_node_that_leaves_is_none_though_its_name_is_taken_first(graph, look):
     assert look() == []
 
 
+@pytest.mark.parametrize('same', [True, False])
+def test_one_that_was_taken_for_dead_and_is_found_again_is_the_same(graph, look, same):
+    """All of a run stood still: its name comes late then. The negative twin has another id."""
+    look()
+    writers = graph.writers['/run/verdict']
+    gid, = writers
+    writers.clear()
+    assert look() == []
+    writers[gid if same else gid[:-1] + b'x'] = UNKNOWN_NODE
+    assert look() == []
+    assert [s.topic for s in look(LATE_S + 1.0)] == ([] if same else ['/run/verdict'])
+
+
 @pytest.mark.parametrize('node, topic', [('link_back', '/link/back/status'),
                                          ('other_mission', '/run/verdict')])
 def test_nodes_of_another_run_get_the_time_to_leave(graph, look, node, topic):

@@ -10,6 +10,10 @@ Nodes of another run that come into this one match its readers, too, until they 
 leave. They write nothing: the numbers count at once, the count of writers only where no such node
 is seen, as the one of another run is by its enclave.
 
+Where all of a run stood still (a paused container, SIGSTOP), DDS takes the writers for dead, finds
+them again and hands over once more what they keep: both traces are of the run itself then, and are
+left out until it has settled.
+
 Source  OMG, Data Distribution Service 1.4, 2.2.4.1: SUBSCRIPTION_MATCHED, total_count; The
         Real-time Publish-Subscribe Protocol 2.5, 8.3.5.4: sequence numbers of a writer.
 """
@@ -28,6 +32,10 @@ from rvd_dynamics.diagram.roster import Roster
 # [s] wall time in which a node of another run becomes known by its writer, for each process that
 # wants a core
 SURE_S = 0.3
+STILL_S = 5.0                   # [s] wall time without a look: this process stood still
+# [s] wall time in which writers are found again: participants announce themselves every 3 s, and
+# what is reliable is asked for as often
+SETTLE_S = 10.0
 MATCHED = _rclpy.rcl_subscription_event_type_t.RCL_SUBSCRIPTION_MATCHED
 
 
@@ -57,6 +65,7 @@ class Traces:
         self._allowed: dict[str, int] = {}      # writers that each may ever have had
         self._since: dict[str, float] = {}      # when a reader had more than that first
         self._met = float('-inf')               # when a node of another run was there last
+        self._looked, self._settled = self._clock(), float('-inf')
         self._found: dict[str, None] = {}
         self._told: set[str] = set()
         self.begun = False
@@ -72,7 +81,7 @@ class Traces:
 
     def numbers(self, topic: str) -> Callable[[dict], None]:
         """Return what is to be shown where each message of a topic is from, in their order."""
-        last, found = 0, self._found
+        last, found, settles = 0, self._found, self._settles
         one = topic in self._roster.topics and self._is_of_one(topic)
 
         def look(message_info: dict) -> None:
@@ -80,7 +89,7 @@ class Traces:
             number = message_info['publication_sequence_number']
             if number is None:                  # a middleware that does not tell
                 return
-            if number <= last and one:
+            if number <= last and one and not settles():
                 found[topic] = None
             last = number
         return look
@@ -122,8 +131,14 @@ class Traces:
         if not self.begun:
             for topic in self._matches:
                 self._ever(topic)
+        settles = self._settles()
+        self._looked = self._clock()
         for topic, allowed in self._allowed.items():
             ever = self._ever(topic)
+            if settles:
+                self._allowed[topic] = max(allowed, ever)
+                self._since.pop(topic, None)
+                continue
             if ever > allowed and self._is_nobodys(topic, last):
                 self._found[topic] = None
             if ever > allowed and topic not in self._since:
@@ -131,6 +146,13 @@ class Traces:
         new = [topic for topic in self._found if topic not in self._told]
         self._told.update(new)
         return new
+
+    def _settles(self) -> bool:
+        """Say whether this process has stood still, lately."""
+        now = self._clock()
+        if now - self._looked > STILL_S:
+            self._settled = now + SETTLE_S
+        return now < self._settled
 
     def _is_nobodys(self, topic: str, last: bool) -> bool:
         """Say whether there was a writer too many; asked again while it may be another run's."""

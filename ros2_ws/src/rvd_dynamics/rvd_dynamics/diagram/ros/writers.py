@@ -89,6 +89,8 @@ class Writers:
         self._counts = dict.fromkeys(roster.topics, 0)
         # Of each topic: the writers that are the run's, by their ids, with their nodes' names.
         self._ours: dict[str, dict[bytes, str]] = {topic: {} for topic in roster.topics}
+        # Those of them that have gone, which DDS finds again if all of a run stood still.
+        self._left: dict[str, dict[bytes, str]] = {topic: {} for topic in roster.topics}
         self._waiting: dict[str, dict[bytes, _Waiting]] = {topic: {} for topic in roster.topics}
         self._names = frozenset(name for topic in roster.topics
                                 for name in roster.may_write(topic).names) | {''}
@@ -153,8 +155,11 @@ class Writers:
         there = self._on(topic)
         ours, waiting = self._ours[topic], self._waiting[topic]
         rule = self._roster.may_write(topic)
+        left = self._left[topic]
         for gid in set(ours) - set(there):
-            del ours[gid]
+            left[gid] = ours.pop(gid)
+        for gid in set(left) & set(there):      # DDS took it for dead: all of a run stood still
+            ours[gid] = left.pop(gid)
         self._found[topic] &= set(there)
         for gid, node in there.items():
             if gid in ours:                     # a node that leaves has its name taken first
