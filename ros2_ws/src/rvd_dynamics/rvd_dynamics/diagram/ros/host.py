@@ -35,7 +35,7 @@ from rvd_dynamics.diagram.ros.ending import Ending
 from rvd_dynamics.diagram.ros.node import RunNode
 from rvd_dynamics.diagram.ros.traces import Traces
 from rvd_dynamics.diagram.ros.writers import Stranger
-from rvd_dynamics.diagram.roster import COMMON, RECORDER, Roster, SECOND_WRITER
+from rvd_dynamics.diagram.roster import COMMON, MONITOR, RECORDER, Roster, SECOND_WRITER
 from rvd_dynamics.pulse import BEAT_S, Pulse
 from rvd_interfaces.msg import RunEvent
 
@@ -87,6 +87,7 @@ class Host:
         self.begun = False                      # the barrier is behind us
         self.ending = Ending(self)
         self.run_id = arguments.run_id
+        self._traced: list[str] = []            # topics with such a trace, where there is no page
         self.traces = Traces(self.roster, self.run_id, lambda: self._lead)
 
     # -- nodes ------------------------------------------------------------------------------
@@ -291,13 +292,17 @@ class Host:
     def _look_for_traces(self, last: bool = False) -> None:
         """Let the monitor know where there was a second writer; by hand, say so here."""
         for topic in self.traces.look(last):
-            if not self._pulse.mark(self.roster.place_of(topic)):
+            if self._pulse.mark(self.roster.place_of(topic)):
+                continue
+            if MONITOR in self.nodes:
+                self._traced.append(topic)
+            else:
                 self.event(self._lead, SECOND_WRITER, Stranger(topic, '', False, True).words)
 
     @property
     def traced(self) -> list[str]:
         """The topics on which any process of the run found a trace of a second writer."""
-        return self.roster.at_places(self._pulse.marked)
+        return [*self.roster.at_places(self._pulse.marked), *self._traced]
 
     def _publish_diagnostics(self) -> None:
         lead = self._lead
