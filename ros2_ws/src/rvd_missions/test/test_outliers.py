@@ -19,8 +19,8 @@ def test_the_observer_of_the_tether_leaves_an_outlier_out(observer, bad):
     said = observer.take(0, np.full((2, 3), np.nan))
     for k in range(1, 20):
         z = said.copy()
-        z[1] = [bad, bad, bad] if k == 9 else [np.nan]*3 if k == 9 else z[1]
-        z[0] = np.nan if k == 9 else z[0]       # the other row has lost it
+        if k == 9:
+            z[0], z[1] = np.nan, bad            # the other row has lost it
         with np.errstate(over='ignore'):
             said = observer.take(k, z)
         assert np.isfinite(observer.state).all() and np.isfinite(said).all()

@@ -101,7 +101,7 @@ class Host:
         self._lead = node
         homes = [process.name for process in self.roster.processes]
         home = self.roster.process_of.get(node.get_name())
-        if self._pulse.file >= 0 and len(self._pulse) == len(homes) and home in homes:
+        if self._pulse.inherits and len(self._pulse) == len(homes) and home in homes:
             self._place, self._is_told = homes.index(home), True
         else:                                   # started by hand
             self._pulse = Pulse()
