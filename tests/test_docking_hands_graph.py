@@ -182,7 +182,7 @@ def test_frames_lead_from_the_target_to_the_camera(flight):
 
 @pytest.mark.slow
 def test_who_listens_during_the_flight_hears_frames_that_are_truth_and_odometry(tmp_path):
-    run, heard = flown(tmp_path, 'realtime')    # in lock step it is over before DDS has matched them
+    run, heard = flown(tmp_path, 'realtime')    # lock step is over before DDS has matched them
     bag, truth, believed = read(run / 'bag'), {}, {}
     for name, series in ((TRUTH, truth), (ESTIMATE, believed)):
         given = bag.of(name)
@@ -191,21 +191,28 @@ def test_who_listens_during_the_flight_hears_frames_that_are_truth_and_odometry(
     odometry = {at(m): (xyz(m.pose.pose.position), xyzw(m.pose.pose.orientation))
                 for m in heard['/chaser/odometry']}
     assert len(heard['/tf']) > 20               # of 31; one without memory may miss the first
-    both = 0
+    both, missed = 0, []
     for message in heard['/tf']:
         k = at(message.transforms[0])
         assert {at(t) for t in message.transforms} == {k}
         assert {t.header.frame_id for t in message.transforms} == {'target_lvlh'}
         frames = {t.child_frame_id: (xyz(t.transform.translation), xyzw(t.transform.rotation))
                   for t in message.transforms}
-        assert frames['chaser_base'] == truth[k]
+        known = {'chaser_base': truth[k]}
         if np.isfinite(np.concatenate(believed[k])).all():
-            assert frames['chaser_base_estimate'] == believed[k]
-        assert frames['target_base'][0] == [0.0, 0.0, 0.0]
-        if k in odometry:
+            known['chaser_base_estimate'] = believed[k]
+        missed += [k for name in known if name not in frames]
+        for name, there in known.items():
+            assert frames.get(name, there) == there
+        assert frames.get('target_base', ([0.0, 0.0, 0.0],))[0] == [0.0, 0.0, 0.0]
+        if k in odometry and 'chaser_base' in frames:
             both += 1
             assert frames['chaser_base'] == odometry[k]
     assert both > 20
+    late = [event for event in messages(run, '/run/events')
+            if event.code == 'LATE' and event.node == 'standard_messages']
+    # in real time a machine that does not keep up leaves out what is not there, and says so
+    assert len(missed) < len(heard['/tf']) / 2 and bool(missed) <= bool(late), (missed, late)
     still, = heard['/tf_static']
     assert [(t.header.frame_id, t.child_frame_id) for t in still.transforms] == [
         ('chaser_base', 'chaser_camera'), ('chaser_camera', 'chaser_camera_optical')]
