@@ -261,7 +261,8 @@ def test_a_process_that_computes_is_given_longer_than_one_that_hangs(
 
 
 @pytest.mark.parametrize('final, said', [
-    (-1, 'law ended before the run was over'), (9, 'the run ended without a verdict')])
+    (-1, 'law ended before the run was over'),
+    (9, 'the run ended without a verdict: mission_monitor ended and had given none')])
 def test_who_ended_while_the_plant_knew_of_no_last_step_is_named(
         final, said, monkeypatch, tmp_path, capsys):
     flight = object.__new__(fly.Flight)

@@ -21,7 +21,7 @@ from rvd_dynamics.recording import drawing, reader, whole
 from rvd_campaign.exits import (
     CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_FAILED, EXIT_FAULT, EXIT_INTERRUPTED)
 from rvd_dynamics.diagram.identity import new_run
-from rvd_dynamics.diagram.roster import ENDED_EARLY, GIVEN_UP, listed, SILENT
+from rvd_dynamics.diagram.roster import ENDED_EARLY, GIVEN_UP, listed, MONITOR, SILENT
 from rvd_dynamics.diagram.scenario import load, Scenario
 from rvd_campaign.interrupts import uninterrupted
 from rvd_campaign.flight.supervisor import Supervisor
@@ -285,7 +285,7 @@ class Flight:
                     return None
                 return self._supervisor.complaint() or (
                     f'{", ".join(self._early)} ended before the run was over' if self._early
-                    else 'the run ended without a verdict')
+                    else f'the run ended without a verdict: {MONITOR} ended and had given none')
             now = time.monotonic()
             if gone:                            # told to, by somebody else; the others go on
                 gone_at = now if gone_at is None else gone_at + stopped_s
