@@ -262,6 +262,8 @@ def test_a_torque_survives_the_way_there_and_back():
     assert np.abs(torques).max() <= 1.7 and all(made.legal(t.tolist()) for t in torques)
     assert not made.legal([0.0001]) and not made.legal([1.8]) and not made.legal([float('nan')])
     assert_array_equal(made.quantise([[np.nan], [np.inf]]), [[0.0], [0.0]])
+    with np.errstate(all='raise'):              # from the wire anything may come
+        assert not made.legal([1e308]) and not made.legal([-1e308])
 
 
 def test_the_console_shows_the_attitude_and_needles_that_turn_with_it():

@@ -54,9 +54,10 @@ class TorqueForm:
         return list(command) == self._nearest(np.asarray(command, dtype=float)).tolist()
 
     def _nearest(self, torque: NDArray) -> NDArray[np.float64]:
-        most = np.floor(self.torque.max_n_m/self.torque.step_n_m + 1e-9)
-        count = np.rint(torque / self.torque.step_n_m)
-        return np.where(np.isfinite(count), np.clip(count, -most, most), 0.0)*self.torque.step_n_m
+        step = self.torque.step_n_m
+        most = np.floor(self.torque.max_n_m/step + 1e-9)
+        count = np.rint(np.clip(torque, -most*step, most*step) / step)      # 1e308/step overflows
+        return np.where(np.isfinite(torque), count, 0.0) * step
 
 
 def form(torque: TorqueParams, craft: Craft) -> TorqueForm:
