@@ -188,11 +188,6 @@ class Host:
         if final:
             self._pulse.final = step
 
-    @property
-    def is_flown(self) -> tuple[int, bool]:
-        """The newest step that the plant has noted, -1 if none, and whether it is the last one."""
-        return self._pulse.flown, self._pulse.final >= 0
-
     def note_lost(self, messages: int) -> None:
         """Note how many messages there was no disk for; who started the run reads it."""
         self._pulse.lost = messages
