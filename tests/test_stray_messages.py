@@ -5,7 +5,7 @@ from argparse import Namespace
 import pytest
 from test_by_hand import Hand
 
-from rvd_campaign.flight.fly import chosen
+from rvd_campaign.flight.choice import chosen
 from rvd_dynamics.diagram.ros import qos
 from rvd_interfaces.msg import RelativeState, RunEvent, ThrustCommand
 

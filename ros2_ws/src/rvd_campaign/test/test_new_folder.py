@@ -9,7 +9,7 @@ import pytest
 
 from rvd_campaign import catalogue
 from rvd_campaign.exits import CannotRun, EXIT_CANNOT
-from rvd_campaign.flight import fly
+from rvd_campaign.flight import run_folder as folders
 from rvd_dynamics.diagram.scenario import load
 
 AT_ONCE = 24
@@ -20,7 +20,7 @@ TRIES = 100
 def here(tmp_path, monkeypatch):
     """Work in a folder of the test's own, in which time stands still."""
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(fly.time, 'strftime', lambda _: '20260101-000000')
+    monkeypatch.setattr(folders.time, 'strftime', lambda _: '20260101-000000')
     return tmp_path
 
 
@@ -41,7 +41,7 @@ def at_once(call):
 
 
 def test_runs_that_begin_in_the_same_second_get_a_folder_each(here):
-    made, refused = at_once(lambda: fly.new_folder(None, 'paper'))
+    made, refused = at_once(lambda: folders.new_folder(None, 'paper'))
     assert len({*made}) == AT_ONCE and not refused
     assert all(folder.is_dir() and not any(folder.iterdir()) for folder in made)
 
@@ -53,8 +53,8 @@ def test_a_folder_that_many_name_is_taken_by_one_of_them(here, exists):
     scenario = load(catalogue.find('scenarios', 'paper', ('.yaml',)))
 
     def begin():
-        folder = fly.new_folder('mine', 'paper')
-        fly.keep_scenario(folder, scenario)
+        folder = folders.new_folder('mine', 'paper')
+        folders.keep_scenario(folder, scenario)
         return folder
     made, refused = at_once(begin)
     assert len(made) == 1 and len(refused) == AT_ONCE - 1
@@ -71,7 +71,7 @@ def test_of_two_processes_one_gets_the_folder_in_every_of_many_tries(here):
         for i in range(TRIES):
             gate.wait()
             try:
-                fly.keep_scenario(fly.new_folder(f'mine{i}', 'paper'), scenario)
+                folders.keep_scenario(folders.new_folder(f'mine{i}', 'paper'), scenario)
             except CannotRun:
                 codes[2*i + which] = EXIT_CANNOT
     both = [fork.Process(target=begin, args=(which,)) for which in range(2)]
@@ -90,4 +90,4 @@ def test_of_two_processes_one_gets_the_folder_in_every_of_many_tries(here):
 def test_what_is_there_is_not_written_into(here, plant):
     plant(here / 'mine')
     with pytest.raises(CannotRun, match='--out mine|run folder mine'):
-        fly.new_folder('mine', 'paper')
+        folders.new_folder('mine', 'paper')

@@ -20,8 +20,9 @@ from rvd_dynamics.diagram.diagram import GROUPINGS
 from rvd_dynamics.diagram.ros import inputs, plant_node
 from rvd_dynamics.diagram.ros.codecs import Parts
 from rvd_dynamics.diagram.ros.inputs import HELD_FOR_S, HeldInput
-from rvd_dynamics.diagram.ros.host import Host, listen_for_the_end, run
+from rvd_dynamics.diagram.ros.host import Host
 from rvd_dynamics.diagram.ros.main import make
+from rvd_dynamics.diagram.ros.process import listen_for_the_end, run
 from rvd_dynamics.diagram.ros.qos import DEPTH
 
 

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from rvd_dynamics.diagram import streams
-from rvd_dynamics.diagram.ros.codecs import FrameOfLink, Telemetry
+from rvd_dynamics.diagram.ros.frame_codecs import FrameOfLink, Telemetry
 from rvd_dynamics.diagram.run import Run
 from rvd_dynamics.diagram.signal import Part
 from rvd_dynamics.link.channel import Channel

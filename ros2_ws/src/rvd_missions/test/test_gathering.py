@@ -39,9 +39,9 @@ def process(own_domain, monkeypatch):
         host = Host(parsed(words))
         made.append(host)
         make(host, wanted(host, host.arguments))
-        monkeypatch.setattr(host, 'unmatched', list)
-        monkeypatch.setattr(host, '_are_known', lambda: True)
-        host._check_barrier()
+        monkeypatch.setattr(host._barrier, 'unmatched', list)
+        monkeypatch.setattr(host._barrier, 'are_known', lambda: True)
+        host._barrier.look()
         assert host.begun
         return host
     yield start

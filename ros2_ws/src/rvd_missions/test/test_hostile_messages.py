@@ -24,10 +24,11 @@ from rvd_dynamics.diagram.build import made
 from rvd_dynamics.diagram.block import Leg
 from rvd_dynamics.diagram.ros import boundary, horizon, inputs, monitor
 from rvd_dynamics.diagram.ros.boundary import content, Refused
-from rvd_dynamics.diagram.ros.codecs import Envelope
+from rvd_dynamics.diagram.ros.frame_codecs import Envelope
 from rvd_dynamics.diagram.ros.conversions import time_at
-from rvd_dynamics.diagram.ros.host import Host, listen_for_the_end, message_type
+from rvd_dynamics.diagram.ros.host import Host, message_type
 from rvd_dynamics.diagram.ros.main import make
+from rvd_dynamics.diagram.ros.process import listen_for_the_end
 from rvd_dynamics.diagram.ros.writers import LOOK_S
 from rvd_dynamics.diagram.scenario import load, parse
 from rvd_dynamics.link.signals import FRAME

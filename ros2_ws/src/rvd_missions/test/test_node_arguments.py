@@ -7,8 +7,9 @@ import rclpy
 from rclpy.parameter import Parameter
 
 from rvd_dynamics.diagram.ros.arguments import parsed
-from rvd_dynamics.diagram.ros.host import Host, run
+from rvd_dynamics.diagram.ros.host import Host
 from rvd_dynamics.diagram.ros.main import make, wanted
+from rvd_dynamics.diagram.ros.process import run
 
 ROS = ['/install/lib/rvd_dynamics/relative_sensor', '--ros-args']
 

@@ -11,7 +11,7 @@ import numpy as np
 from rvd_campaign.campaign.engine import check_same, open_folder, refly
 from rvd_campaign.campaign.results import order_of, rows, Table
 from rvd_campaign.exits import CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_FAILED
-from rvd_campaign.flight.fly import paced
+from rvd_campaign.flight.choice import paced
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.in_process import fly, judge_of
 from rvd_dynamics.diagram.judge import judgement

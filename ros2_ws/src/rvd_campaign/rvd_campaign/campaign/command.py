@@ -16,7 +16,7 @@ from rvd_campaign.campaign.progress import clock, Progress
 from rvd_campaign.campaign.spec import Campaign, check_runs, load_campaign
 from rvd_campaign.campaign.summary import finish, in_words, SUMMARY
 from rvd_campaign.exits import CannotRun, EXIT_DONE, EXIT_INTERRUPTED
-from rvd_campaign.flight.fly import new_folder
+from rvd_campaign.flight.run_folder import new_folder
 from rvd_campaign.interrupts import all_like_ctrl_c
 from rvd_campaign.report.attempt import attempt
 from rvd_dynamics.recording import whole

@@ -5,7 +5,7 @@
 import argparse
 
 from rvd_campaign.exits import CannotRun, EXIT_DONE, EXIT_FAILED
-from rvd_campaign.flight import fly, leftovers, preflight, reach, verdict
+from rvd_campaign.flight import choice, fly, leftovers, preflight, reach, run_folder, verdict
 from rvd_campaign.flight.domain import reserved_domain
 from rvd_campaign.interrupts import all_like_ctrl_c
 from rvd_dynamics.bad_input import one_line
@@ -25,24 +25,24 @@ def main(args: argparse.Namespace) -> int:
             return again.in_process(args)
     elif args.condition or args.run_number is not None or args.in_process:
         raise CannotRun('--condition, --run and --in-process go with --from DIR')
-    scenario = again.chosen(args) if again else fly.chosen(args)
+    scenario = again.chosen(args) if again else choice.chosen(args)
     scenario.diagram                            # refused now if it must be
-    fly.check_foreign(scenario)
+    choice.check_foreign(scenario)
     preflight.check()
     open_to = reach.settle(args.network)
     if open_to:
         print(one_line(open_to), flush=True)
-    if _for_the_console(args, 'console' in (args.operator, fly.operator_of(scenario))):
+    if _for_the_console(args, 'console' in (args.operator, choice.operator_of(scenario))):
         from rvd_campaign.flight import console
         return console.main(args, scenario)
     all_like_ctrl_c()
     with reserved_domain() as domain:           # refused, if it must be, before there is a folder
-        run_dir = fly.new_folder(args.out, scenario.name)
+        run_dir = run_folder.new_folder(args.out, scenario.name)
         domain.held_for(str(run_dir.absolute()))
-        fly.keep_scenario(run_dir, scenario)
+        run_folder.keep_scenario(run_dir, scenario)
         if removed := leftovers.remove(domain).in_words():
             print(removed, flush=True)
-        print(f'{fly.introduced(scenario)}, ROS_DOMAIN_ID={domain}, {run_dir}', flush=True)
+        print(f'{choice.introduced(scenario)}, ROS_DOMAIN_ID={domain}, {run_dir}', flush=True)
         code = fly.Flight(scenario, run_dir, domain, args.headless).fly()
     if again and code in (EXIT_DONE, EXIT_FAILED):
         print(again.compared(args, verdict.read(run_dir / 'verdict.json')), flush=True)

@@ -17,7 +17,7 @@ import threading
 from pathlib import Path
 from typing import Any
 
-from rvd_campaign.flight import fly, leftovers
+from rvd_campaign.flight import choice, fly, leftovers, run_folder
 from rvd_campaign.exits import CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_INTERRUPTED
 from rvd_campaign.flight.domain import reserved_domain
 from rvd_campaign.interrupts import all_like_ctrl_c
@@ -181,7 +181,7 @@ def _serve(page: ConsoleProcess, args: argparse.Namespace, scenario: Scenario, r
                 page.tell('refused', '', _told(error, scenario))
                 continue
             out = _folder(args, wish, runs, flown)
-            run_dir = fly.new_folder(None if out is None else str(out), asked.name)
+            run_dir = run_folder.new_folder(None if out is None else str(out), asked.name)
             code = _fly(page, asked, run_dir, runs, domain, args.headless)
             flown += 1
     except KeyboardInterrupt:
@@ -215,8 +215,8 @@ def _folder(args: argparse.Namespace, wish: dict[str, Any], runs: Path, flown: i
 
 def _fly(page: ConsoleProcess, scenario: Scenario, run_dir: Path, runs: Path, domain: int,
          headless: bool) -> int:
-    fly.keep_scenario(run_dir, scenario)
-    print(f'{fly.introduced(scenario)}, {run_dir}', flush=True)
+    run_folder.keep_scenario(run_dir, scenario)
+    print(f'{choice.introduced(scenario)}, {run_dir}', flush=True)
     name = os.path.relpath(run_dir, runs)
     page.tell('starting', name)
     stopped = []

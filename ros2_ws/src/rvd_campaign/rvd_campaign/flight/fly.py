@@ -2,11 +2,9 @@
 Fly one approach by the graph: bring it up, follow it, say how it went, leave a run folder.
 """
 
-import argparse
 import contextlib
 import importlib
 import os
-import re
 import shutil
 import sys
 import threading
@@ -17,158 +15,22 @@ from typing import Any, Callable
 from rvd_campaign import catalogue
 from rvd_campaign.flight import kept, room, verdict, vigil
 from rvd_dynamics.bad_input import one_line
-from rvd_dynamics.recording import drawing, reader, whole
+from rvd_dynamics.recording import drawing, reader
 from rvd_campaign.exits import (
-    CannotRun, EXIT_CANNOT, EXIT_DONE, EXIT_FAILED, EXIT_FAULT, EXIT_INTERRUPTED)
+    EXIT_CANNOT, EXIT_DONE, EXIT_FAILED, EXIT_FAULT, EXIT_INTERRUPTED)
 from rvd_dynamics.diagram.identity import new_run
 from rvd_dynamics.diagram.roster import ENDED_EARLY, GIVEN_UP, listed, MONITOR, SILENT
-from rvd_dynamics.diagram.scenario import load, Scenario
+from rvd_dynamics.diagram.scenario import Scenario
 from rvd_campaign.interrupts import uninterrupted
 from rvd_campaign.flight.supervisor import Supervisor
 from rvd_campaign.flight.vigil import STALL_S, Vigil
 from rvd_campaign.report.attempt import attempt
-from rvd_groundstation.operators.tape import read_tape, TOPIC
 
 # [s] wall time for the graph to come up; in real time it compiles before it starts, where it must
 START_S = {'lockstep': 60.0, 'realtime': 180.0}
 END_S = 15.0                    # [s] wall time for the nodes to end after the verdict
-USUAL_PACE = '10'               # of a scenario that names none
 SHOW_S = 0.2                    # [s] wall time between two looks
 STOPPED_S = 5.0                 # [s] wall time without a look: this process did not run
-
-
-def chosen(args: argparse.Namespace) -> Scenario:
-    """Return the scenario with what the command line changes in it."""
-    usual = 'hand' if args.operator == 'console' else 'paper'
-    scenario = load(catalogue.find('scenarios', args.scenario or usual, ('.yaml',)))
-    shared: dict[str, object] = paced(args.pace, scenario)
-    if args.processes:
-        shared['processes'] = args.processes
-    if args.mode and not scenario.has_shared('mode'):
-        raise CannotRun(f'--mode: mission {scenario.mission.name} has no modes')
-    for flag in ('operator', 'tape'):
-        watched = flag == 'operator' and args.operator == 'console'     # which needs no operator
-        if getattr(args, flag) and not watched and not scenario.has_shared('operator'):
-            raise CannotRun(f'--{flag}: mission {scenario.mission.name} has no operator')
-    operator = args.operator or ('replay' if args.tape else operator_of(scenario))
-    if args.tape and operator != 'replay':
-        raise CannotRun(f'--tape needs --operator replay, not {operator}')
-    if operator and scenario.has_shared('operator'):
-        shared['operator'] = operator
-        shared['joy_input'] = 'held' if operator in ('joy', 'console') else 'stepped'
-        if operator == 'joy' and not args.operator:     # a pilot of your own may answer each step
-            shared['joy_input'] = scenario.sections.get('/**', {}).get('joy_input', 'held')
-    if args.mode:
-        shared['mode'] = args.mode
-    if args.seed is not None:
-        shared['seed'] = args.seed
-    scenario = scenario.with_values('/**', **shared)
-    if args.tape:
-        tape = catalogue.find('tapes', args.tape, ('.csv', ''))
-        scenario = scenario.with_values('joystick_replay', tape=str(tape),
-                                        tape_topic=args.tape_topic or TOPIC)
-    elif args.tape_topic:
-        raise CannotRun('--tape-topic goes with --tape BAG')
-    if operator == 'replay':
-        settings = scenario.settings('joystick_replay')
-        if not settings.tape:
-            raise CannotRun('--operator replay needs --tape FILE (see rvd list tapes)')
-        tape = read_tape(settings.tape, settings.tape_topic)    # a bad one is refused at once
-        if tape.note:
-            print(f'rvd fly: {one_line(tape.note)}', file=sys.stderr)
-    return scenario
-
-
-def operator_of(scenario: Scenario) -> str:
-    """Return who flies; empty where the mission has no operator."""
-    return scenario.part('operation').operator if scenario.has_shared('operator') else ''
-
-
-def check_foreign(scenario: Scenario) -> None:
-    """Refuse a run that is to start a node of somebody else's package that is not installed."""
-    prefixes = os.environ.get('AMENT_PREFIX_PATH', '').split(os.pathsep)
-    for node in scenario.diagram.externals:
-        if node.foreign and node.started and not any(
-                os.access(Path(prefix, 'lib', node.package, node.executable), os.X_OK)
-                for prefix in prefixes):
-            raise CannotRun(f'the ROS package {node.package} with {node.executable} is not installed '
-                            f'(sudo apt-get install ros-jazzy-{node.package.replace("_", "-")}); '
-                            'our own driver needs nothing: joy_driver: joystick')
-
-
-def introduced(scenario: Scenario) -> str:
-    """Return in a few words what is about to be flown."""
-    words = [f'{scenario.name}: mission {scenario.mission.name}']
-    if scenario.has_shared('operator'):
-        operation = scenario.part('operation')
-        words += [f'mode {operation.mode}', f'operator {operation.operator}']
-    return ', '.join([*words, f'seed {scenario.run.seed}'])
-
-
-def paced(pace: str | None, scenario: Scenario) -> dict[str, object]:
-    """Return the pace settings of `--pace`; without it those that the scenario gives count."""
-    if pace is None and 'pace' in scenario.sections.get('/**', {}):
-        return {}
-    return pace_of(pace or USUAL_PACE)
-
-
-def pace_of(text: str) -> dict[str, object]:
-    """Return the pace settings that `--pace` means."""
-    if text == 'lockstep':
-        return {'pace': 'lockstep'}
-    if text == 'realtime':
-        return {'pace': 'realtime', 'pace_factor': 1.0}
-    try:
-        return {'pace': 'realtime', 'pace_factor': float(text)}
-    except ValueError:
-        raise CannotRun(f'--pace must be lockstep, realtime or a factor, got {text!r}') from None
-
-
-def new_folder(out: str | None, name: str) -> Path:
-    """
-    Make the run folder; one that holds something is never written into.
-
-    Of two commands that want the same name at the same moment one makes the folder: the other
-    takes the next name, or is refused where `out` says which.
-    """
-    stem = f'{time.strftime("%Y%m%d-%H%M%S")}-{re.sub("[^A-Za-z0-9_-]", "_", name)}'
-    folder, number = Path('runs') / stem if out is None else Path(out), 1
-    while True:
-        try:
-            folder.mkdir(parents=True)
-            return folder
-        except FileExistsError:
-            if out is not None:
-                return _empty(folder)
-        except OSError as error:
-            raise CannotRun(f'cannot make the run folder {folder}: {error.strerror}') from None
-        number += 1
-        folder = Path('runs') / f'{stem}-{number}'
-
-
-def _empty(folder: Path) -> Path:
-    """Return a folder that exists if nothing is in it."""
-    try:
-        if not any(folder.iterdir()):
-            return folder
-    except NotADirectoryError:
-        pass
-    except OSError as error:
-        raise CannotRun(f'cannot read the run folder {folder}: {error.strerror}') from None
-    raise CannotRun(f'--out {folder} exists already: nothing is overwritten, '
-                    'give another folder or remove it')
-
-
-def keep_scenario(run_dir: Path, scenario: Scenario) -> None:
-    """Write the scenario into a new run folder, unless another run has just taken that one."""
-    try:
-        whole.write_new(run_dir / 'scenario.yaml', scenario.dump())
-    except FileExistsError:
-        raise CannotRun(f'--out {run_dir} has just been taken by another run: give another '
-                        'folder') from None
-    except OSError as error:
-        raise CannotRun(f'cannot write into the run folder {run_dir}: {error.strerror}') from None
-    room.keep(run_dir)
 
 
 class Flight:

@@ -10,7 +10,7 @@ import numpy as np
 
 from rvd_campaign import catalogue
 from rvd_campaign.exits import EXIT_DONE
-from rvd_campaign.flight.fly import new_folder
+from rvd_campaign.flight.run_folder import new_folder
 from rvd_campaign.report.page import Drawn, render
 from rvd_dynamics.diagram.in_process import fly
 from rvd_dynamics.diagram.scenario import load, Scenario

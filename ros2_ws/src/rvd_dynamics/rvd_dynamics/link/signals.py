@@ -11,6 +11,7 @@ from rvd_dynamics.commands.codes import KIND_THRUST
 from rvd_dynamics.diagram.signal import Part, Signal, VALUES
 
 CODECS = 'rvd_dynamics.diagram.ros.codecs'
+FRAME_CODECS = 'rvd_dynamics.diagram.ros.frame_codecs'
 FRAME = 'rvd_interfaces/msg/LinkFrame'
 
 KIND = Part('kind', (), 'KIND_*', 'u1', KIND_THRUST)
@@ -24,25 +25,25 @@ def downlink(state: Part) -> Signal:
     return Signal('/onboard/downlink', (
         state, Part('accepted', (), 'sequence', 'i8', optional=True, low=0,
                     counts=True),
-        Part('refusal', (), 'REASON_*', 'u1', optional=True)), FRAME, f'{CODECS}:Downlink')
+        Part('refusal', (), 'REASON_*', 'u1', optional=True)), FRAME, f'{FRAME_CODECS}:Downlink')
 
 
 def telemetry(state: Part) -> Signal:
     """Return what comes down: a state, and whether a frame was received."""
-    return Signal('/ground/telemetry', (state, RECEIVED), FRAME, f'{CODECS}:Telemetry')
+    return Signal('/ground/telemetry', (state, RECEIVED), FRAME, f'{FRAME_CODECS}:Telemetry')
 
 
 def uplink(command: Part) -> Signal:
     """Return what the ground sends up: a command, its kind, and whether it skips the buffer."""
     return Signal('/ground/uplink', (command, KIND, Part('expedited', (), '', '?')), FRAME,
-                  f'{CODECS}:Uplink')
+                  f'{FRAME_CODECS}:Uplink')
 
 
 def arrival(command: Part) -> Signal:
     """Return what comes up, as the guard reads it."""
     return Signal('/onboard/command', (
         command, KIND, RECEIVED, Part('reason', (), 'REASON_*', 'u1', optional=True),
-        SEQUENCE), FRAME, f'{CODECS}:Arrival')
+        SEQUENCE), FRAME, f'{FRAME_CODECS}:Arrival')
 
 
 def thrust(command: Part, message: str = VALUES, codec: str = f'{CODECS}:Parts') -> Signal:

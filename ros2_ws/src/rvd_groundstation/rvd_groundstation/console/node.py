@@ -20,9 +20,10 @@ from rvd_dynamics.diagram.ros.arguments import Arguments, parsed
 from rvd_dynamics.diagram.ros.boundary import content, read, Refused
 from rvd_dynamics.diagram.ros.conversions import header_at
 from rvd_dynamics.diagram.ros.horizon import Horizon
-from rvd_dynamics.diagram.ros.host import Host, listen_for_the_end, message_type
+from rvd_dynamics.diagram.ros.host import Host, message_type
 from rvd_dynamics.diagram.ros.node import RunNode
 from rvd_dynamics.diagram.ros.params import declare
+from rvd_dynamics.diagram.ros.process import listen_for_the_end
 from rvd_dynamics.diagram.roster import MONITOR, RUN_TOPICS
 from rvd_dynamics.link.frame import ReplayWindow
 from rvd_dynamics.link.signals import FRAME

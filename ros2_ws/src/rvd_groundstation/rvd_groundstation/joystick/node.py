@@ -25,8 +25,9 @@ from rvd_dynamics.diagram.ros import qos
 from rvd_dynamics.diagram.ros.arguments import parsed
 from rvd_dynamics.diagram.ros.conversions import header_at, ns_of
 from rvd_dynamics.diagram.ros.horizon import Horizon
-from rvd_dynamics.diagram.ros.host import Host, run
+from rvd_dynamics.diagram.ros.host import Host
 from rvd_dynamics.diagram.ros.node import RunNode
+from rvd_dynamics.diagram.ros.process import run
 from rvd_groundstation.joystick.device import Device, Reading
 from rvd_groundstation.joystick.messages import Messages
 from rvd_groundstation.joystick.params import JoystickParams

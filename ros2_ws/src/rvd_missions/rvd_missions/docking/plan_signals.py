@@ -13,6 +13,7 @@ DOWNLINK, TELEMETRY = (make(Part('state', (6,), 'm, m/s')) for make in (
 _packet = Part('state', (PACKET,), '1, 1, s, m, m/s')
 UPLINK = Signal('/ground/plan', (
     _packet, Part('accepted', (), 'sequence', 'i8', optional=True),
-    Part('refusal', (), 'REASON_*', 'u1', optional=True)), link.FRAME, f'{link.CODECS}:Downlink')
+    Part('refusal', (), 'REASON_*', 'u1', optional=True)),
+                link.FRAME, f'{link.FRAME_CODECS}:Downlink')
 ARRIVAL = Signal('/onboard/plan', (_packet, link.RECEIVED), link.FRAME,
-                 f'{link.CODECS}:Telemetry')
+                 f'{link.FRAME_CODECS}:Telemetry')

@@ -120,7 +120,7 @@ def volley(scenario: Scenario, seed: int) -> Outcome:
 def _fire(scenario: Scenario, leg: Leg, rng: Random, outcome: Outcome) -> None:
     from rclpy.serialization import deserialize_message
 
-    from rvd_dynamics.diagram.ros.codecs import FrameOfLink
+    from rvd_dynamics.diagram.ros.frame_codecs import FrameOfLink
     from rvd_interfaces.msg import LinkFrame
     run, hostile = scenario.run, Hostile(leg, scenario, rng)
     guard = guard_of(scenario, leg.receiver.signal) if leg.form is not None else None
@@ -215,7 +215,7 @@ class Hostile:
 
     def envelope(self, k: int) -> Any:
         """Return a hostile frame beside the link: any envelope, hostile bytes, or old ones."""
-        from rvd_dynamics.diagram.ros.codecs import FrameOfLink
+        from rvd_dynamics.diagram.ros.frame_codecs import FrameOfLink
         rng, whole = self._rng, lambda: self._whole(0, (1 << 64) - 1)
         again = rng.random() < 0.1
         payload = rng.choice(self._old) if again else self.payload(k)

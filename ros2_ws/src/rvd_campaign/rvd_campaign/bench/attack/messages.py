@@ -81,7 +81,8 @@ class Rig:
         import rclpy
         from rclpy.executors import SingleThreadedExecutor
 
-        from rvd_dynamics.diagram.ros.host import Host, listen_for_the_end
+        from rvd_dynamics.diagram.ros.host import Host
+        from rvd_dynamics.diagram.ros.process import listen_for_the_end
         from rvd_dynamics.diagram.ros.main import make
         from rvd_dynamics.diagram.roster import listed, Roster
         shutil.rmtree(folder, ignore_errors=True)

@@ -15,7 +15,7 @@ from rosgraph_msgs.msg import Clock
 
 from rvd_dynamics.diagram.block import Block, Read
 from rvd_dynamics.diagram.ros.boundary import Refused
-from rvd_dynamics.diagram.ros.codecs import Envelope
+from rvd_dynamics.diagram.ros.frame_codecs import Envelope
 from rvd_dynamics.diagram.ros.conversions import ns_of
 from rvd_dynamics.diagram.ros.horizon import Horizon
 from rvd_dynamics.diagram.ros.host import Host, message_type

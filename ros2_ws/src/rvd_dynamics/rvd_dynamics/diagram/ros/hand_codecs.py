@@ -10,7 +10,8 @@ from sensor_msgs.msg import Joy
 
 from rvd_dynamics.commands.hand import fault, HandForm, HandParams, joy, read
 from rvd_dynamics.constants import NS_PER_S
-from rvd_dynamics.diagram.ros.codecs import Arrival, Codec, Event, too_many, Uplink
+from rvd_dynamics.diagram.ros.codecs import Codec, Event, too_many
+from rvd_dynamics.diagram.ros.frame_codecs import Arrival, Uplink
 from rvd_dynamics.diagram.ros.wire import Layout
 from rvd_dynamics.diagram.run import Legs, Run
 from rvd_dynamics.diagram.signal import Signal

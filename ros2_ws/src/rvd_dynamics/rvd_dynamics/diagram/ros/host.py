@@ -1,5 +1,5 @@
 """
-A process of a run: its nodes, the barrier at the start, what passes between them, the end.
+A process of a run: its nodes, what passes between them, the end.
 
 Any number of nodes share a process (`--processes`): each keeps its rclpy node and publishes
 everything, but what one writes and another in the same process reads passes by hand. A process
@@ -9,38 +9,32 @@ that `/run/end` names is over.
 
 from collections import defaultdict
 from collections.abc import Callable
-import gc
 import importlib
-import os
-import re
-import sys
 import time
 from typing import Any
 
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
-import rclpy
-from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
+from rclpy.executors import SingleThreadedExecutor
 from rclpy.publisher import Publisher
 from rclpy.serialization import serialize_message
-from rclpy.signals import SignalHandlerOptions
-from std_msgs.msg import String, UInt64
+from std_msgs.msg import String
 
 from rvd_dynamics import lifeline
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.diagram import identity
 from rvd_dynamics.diagram.ros.arguments import Arguments
+from rvd_dynamics.diagram.ros.barrier import Barrier
 from rvd_dynamics.diagram.ros.conversions import header_at
 from rvd_dynamics.diagram.ros.ending import Ending
 from rvd_dynamics.diagram.ros.node import RunNode
 from rvd_dynamics.diagram.ros.traces import Traces
 from rvd_dynamics.diagram.ros.writers import Stranger
-from rvd_dynamics.diagram.roster import COMMON, MONITOR, RECORDER, Roster, SECOND_WRITER
+from rvd_dynamics.diagram.roster import MONITOR, RECORDER, Roster, SECOND_WRITER
 from rvd_dynamics.pulse import BEAT_S, Pulse
 from rvd_interfaces.msg import RunEvent
 
 ASK_S = 0.1                     # [s] wall time between two looks whether to stop
-BARRIER_PERIOD_S = 0.05         # [s] wall time between two looks at the endpoints
 BEAT_NS = round(BEAT_S * NS_PER_S)      # [ns] wall time
 DIAGNOSTICS_PERIOD_NS = NS_PER_S        # [ns] wall time
 GATHER_S = 0.02                 # [s] wall time for which messages are kept that only watchers read
@@ -50,7 +44,6 @@ RECORDER_S = 5.0                # [s] wall time that a closing process gives the
 SILENT_NS = 2 * NS_PER_S        # [ns] wall time between two turns that is told
 SLICE_S = 0.05                  # [s] wall time of firing before the executor is looked at again
 TRACES_NS = NS_PER_S // 20      # [ns] wall time between two looks for second writers
-UNKNOWN_NODE = '_NODE_NAME_UNKNOWN_'    # of an endpoint that was seen before its node
 
 
 def message_type(name: str) -> type:
@@ -85,6 +78,7 @@ class Host:
         self._ended = False
         self._busy = False
         self.begun = False                      # the barrier is behind us
+        self._barrier = Barrier(self)
         self.ending = Ending(self)
         self.run_id = arguments.run_id
         self._traced: list[str] = []            # topics with such a trace, where there is no page
@@ -108,7 +102,7 @@ class Host:
         self._ready = node.writer('/run/ready', String)
         self._events = node.writer('/run/events', RunEvent)
         self._diagnostics = node.writer('/diagnostics', DiagnosticArray)
-        self._barrier = node.create_timer(BARRIER_PERIOD_S, self._check_barrier)
+        self._barrier.wait()
 
     @property
     def lead(self) -> RunNode:
@@ -165,50 +159,10 @@ class Host:
         for publisher, message in later:
             publisher.publish(message)
 
-    # -- start ------------------------------------------------------------------------------
-
-    def unmatched(self) -> list[str]:
-        """Return the topics whose other end is not there yet."""
-        missing = []
-        for node in self.nodes.values():
-            for topic, publisher in node.publishers_of.items():
-                readers = self.roster.expected(topic)[1]
-                if topic not in COMMON and publisher.get_subscription_count() < readers:
-                    missing.append(topic)
-            for topic, subscription in node.subscriptions_of.items():
-                writers = self.roster.expected(topic)[0]
-                if topic not in COMMON and subscription.get_publisher_count() < writers:
-                    missing.append(topic)
-        return missing
-
-    def _others(self) -> str:
-        """Return in words a node of another run in this domain; empty where there is none."""
-        ours = {name for name in self.roster.names if not (
-            name in self.roster.externals and self.roster.externals[name].foreign)}
-        return identity.foreign(self._lead.get_node_names_and_namespaces_with_enclaves(),
-                                ours, self.run_id)
-
-    def _are_known(self) -> bool:
-        """Say whether it is known which nodes write what this process reads."""
-        return not any(
-            writer.node_name == UNKNOWN_NODE for node in self.nodes.values()
-            for topic in node.subscriptions_of
-            for writer in node.get_publishers_info_by_topic(topic))
-
-    def _check_barrier(self) -> None:
-        waits = bool(self.unmatched()) or not self._are_known()
-        other = self._others()
-        if other:
-            domain = self._lead.context.get_domain_id()
-            self.fail(self._lead, BadInput(
-                f'another run is in ROS_DOMAIN_ID={domain}: {other}; give each run its own'))
-            return
-        if waits:
-            return
+    def begin(self) -> None:
+        """Be told that everything this process talks to is there."""
         self.begun = True
         self.traces.begin()
-        self._barrier.cancel()
-        self._lead.destroy_timer(self._barrier)
         for name in self.nodes:
             self.publish(self._ready, '/run/ready', -1,
                          String(data=identity.ready_words(name, self.run_id)))
@@ -233,11 +187,6 @@ class Host:
         self._pulse.flown = step
         if final:
             self._pulse.final = step
-
-    @property
-    def is_flown(self) -> tuple[int, bool]:
-        """The newest step that the plant has noted, -1 if none, and whether it is the last one."""
-        return self._pulse.flown, self._pulse.final >= 0
 
     def note_lost(self, messages: int) -> None:
         """Note how many messages there was no disk for; who started the run reads it."""
@@ -423,59 +372,3 @@ class Host:
     def _recorder_is_here(self) -> bool:
         readers = self._lead.get_subscriptions_info_by_topic('/run/end')
         return any(reader.node_name == RECORDER for reader in readers)
-
-
-def listen_for_the_end(host: Host) -> None:
-    """Subscribe to /run/end, unless the plant is in this process."""
-    if host.roster.diagram.plant not in host.nodes:
-        host.lead.watch('/run/end', UInt64, host.ending.hear)
-
-
-def _signals() -> SignalHandlerOptions:
-    """Return what ends the process: under a bring-up, what that asks for alone."""
-    return (SignalHandlerOptions.SIGTERM if os.environ.get(lifeline.PARENT)
-            else SignalHandlerOptions.ALL)
-
-
-def _init(argv: list[str]) -> None:
-    try:
-        rclpy.init(args=argv, signal_handler_options=_signals())
-    except RuntimeError as error:               # RCLError: arguments that are none of ROS, no HOME
-        said = re.sub(r', at \S+:\d+$', '', ' '.join(str(error).split()))
-        raise BadInput(f'ROS does not start: {said}') from None
-    domain = rclpy.get_default_context().get_domain_id()
-    if domain > identity.LARGEST_DOMAIN:        # DDS would end the process without a word of ours
-        raise BadInput(f'ROS_DOMAIN_ID={domain} must be from 0 to {identity.LARGEST_DOMAIN}')
-
-
-def run(make: Callable[[Host], None], arguments: Arguments, argv: list[str]) -> None:
-    """
-    Make a process and its nodes, and serve them until the run is over or it is told to stop.
-
-    Bad settings end the process with exit code 2 and one line that names the value.
-    """
-    host = None
-    try:
-        arguments.scenario                      # before rclpy finds fault with the same file
-        _init(argv)
-        host = Host(arguments)
-        make(host)
-        listen_for_the_end(host)
-        gc.freeze()                             # what is loaded stays: not to be looked through
-        gc.collect()                            # again, nor what garbage is small against
-        host.spin()
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    except RuntimeError:                        # told to stop between two waits
-        if rclpy.ok():
-            raise
-    except BadInput as error:
-        node = getattr(error, 'rvd_node', None)
-        name = node.get_name() if node is not None else arguments.name
-        print(f'{name}: {error}', file=sys.stderr)
-        sys.exit(2)
-    finally:
-        if host is not None:
-            host.close()
-        with lifeline.leaving():
-            rclpy.try_shutdown()

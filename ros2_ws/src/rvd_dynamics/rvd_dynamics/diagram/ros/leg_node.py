@@ -4,7 +4,7 @@ from typing import Any
 
 from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.diagram.block import Leg
-from rvd_dynamics.diagram.ros.codecs import FrameOfLink
+from rvd_dynamics.diagram.ros.frame_codecs import FrameOfLink
 from rvd_dynamics.diagram.ros.firing import FiringNode
 from rvd_dynamics.diagram.ros.host import Host
 from rvd_dynamics.diagram.ros.wire import Layout

@@ -21,9 +21,10 @@ from rvd_dynamics.diagram.rehearsal import rehearse
 from rvd_dynamics.diagram.ros.arguments import Arguments, parsed
 from rvd_dynamics.diagram.ros.block_node import BlockNode
 from rvd_dynamics.diagram.ros.firing import FiringNode
-from rvd_dynamics.diagram.ros.host import Host, run
+from rvd_dynamics.diagram.ros.host import Host
 from rvd_dynamics.diagram.ros.leg_node import LegNode
 from rvd_dynamics.diagram.ros.plant_node import PlantNode
+from rvd_dynamics.diagram.ros.process import run
 from rvd_dynamics.diagram.roster import GROUP_EXECUTABLE, MARKERS, MONITOR, RECORDER
 
 LEG_EXECUTABLE = 'link_emulator'

@@ -317,14 +317,17 @@ class BagRecorder(RunNode):
         """
         Return the last step of which every topic owes its message, as far as it is known; or -1.
 
-        A recorder that was stopped has not heard how far the run came: the plant has noted it. In
-        the newest step of a run that was interrupted nodes may not have fired.
+        A recorder that was stopped has not heard how far the run came: the plant has noted it,
+        unless it was started by hand. In the newest step of a run that was interrupted nodes may
+        not have fired.
         """
         if self.host.final_step is not None:
             return self.host.final_step
-        flown, over = self.host.is_flown
-        behind = flown - 1 > self._ledger.last.get(self._truth, flown)
-        return flown if over else flown - 1 if behind else -1
+        made, end = self.host.made, self.host.noted_end
+        if made is None:
+            return -1
+        behind = made - 1 > self._ledger.last.get(self._truth, made)
+        return end if end >= 0 else made - 1 if behind else -1
 
 
 def _adapted(offers: list[QoSProfile]) -> QoSProfile:
