@@ -29,7 +29,8 @@ from rvd_dynamics.diagram.scenario import load, Scenario
 from rvd_dynamics.pulse import PAGE, Pulse
 
 SCENARIOS = ('paper', 'tether_delay', 'obstacles', 'attitude')
-PACES = ({'pace': 'lockstep'}, {'pace': 'realtime', 'pace_factor': 20.0})
+PACES = ('lockstep', 'realtime')
+STEPS_HZ = 40.0                 # steps a second in real time: one process for all has more to do
 EACH = 250                      # messages to each node in a case
 WARM_UP = 5                     # steps before the first: messages are made of what was said
 TURNS = 20                      # callbacks between two messages to each node
@@ -61,11 +62,11 @@ def one(seed: int) -> Outcome:
     try:
         counts, failures = in_child(lambda: _attacked(name, pace, seed), CASE_S, EXTRA_BYTES)
     except Hung as error:
-        return Outcome(failures=[f'{name}, {pace["pace"]}: {error}'],
+        return Outcome(failures=[f'{name}, {pace}: {error}'],
                        counts=_counted('hangs'))
     except RuntimeError as error:
-        return Outcome(failures=[f'{name}, {pace["pace"]}: {error}'], counts=_counted('ended'))
-    outcome = Outcome(failures=[f'{name}, {pace["pace"]}: {what}' for what in failures])
+        return Outcome(failures=[f'{name}, {pace}: {error}'], counts=_counted('ended'))
+    outcome = Outcome(failures=[f'{name}, {pace}: {what}' for what in failures])
     outcome.counts.update(counts)
     return outcome
 
@@ -150,13 +151,14 @@ class Rig:
         rclpy.try_shutdown()
 
 
-def _attacked(name: str, pace: dict[str, Any], seed: int) -> tuple[dict[str, int], list[str]]:
+def _attacked(name: str, pace: str, seed: int) -> tuple[dict[str, int], list[str]]:
     os.environ.update(RVD_LEAN='1', ROS_AUTOMATIC_DISCOVERY_RANGE='OFF')
     os.environ.pop('ROS_DOMAIN_ID', None)       # a flight of its own
     with open(os.devnull, 'wb') as nowhere:     # broken bytes make the middleware talk
         os.dup2(nowhere.fileno(), 1)
         os.dup2(nowhere.fileno(), 2)
-    scenario = load(catalogue.find('scenarios', name, ('.yaml',))).with_values('/**', **pace)
+    scenario = load(catalogue.find('scenarios', name, ('.yaml',)))
+    scenario = scenario.with_values('/**', pace=pace, pace_factor=STEPS_HZ*scenario.run.step_s)
     if scenario.has_shared('operator'):
         operator = scenario.part('operation').operator
         if operator in ('console', 'joy'):
