@@ -287,7 +287,7 @@ def test_in_real_time_the_world_waits_half_a_step_for_its_thrust_and_no_longer(m
     host.begun = True
     make(host, ('plant',))
     world = host.nodes['plant']
-    world._step_s, world._origin, world._ticked = 1.0, 0.0, 0.0
+    world._step_s, world._origin, world._looked = 1.0, 0.0, 0.0
     late = []
     monkeypatch.setattr(world._lateness, 'add', late.append)
 
@@ -307,6 +307,42 @@ def test_in_real_time_the_world_waits_half_a_step_for_its_thrust_and_no_longer(m
         assert late == pytest.approx([0.0, 0.4, 0.5, 0.0, 0.9, 1.7, 0.7])
     finally:
         world.destroy_node()
+
+
+@pytest.mark.parametrize('where', ['between two looks', 'within a step', 'before a step goes out'])
+def test_a_world_that_stood_still_goes_on_from_where_it_was(monkeypatch, where):
+    """Stopped wherever it may be, it makes one step in the next 1.25 s, which is one step long."""
+    clock = SimpleNamespace(now=0.0)
+    monkeypatch.setattr(plant_node, 'time', SimpleNamespace(monotonic=lambda: clock.now))
+    host = Host(arguments(toy_mission.scenario(pace='realtime')))
+    host.begun = True
+    make(host, ('plant',))
+    world = host.nodes['plant']
+    world._step_s, world._origin, world._looked = 1.0, 0.0, 0.0
+    events = []
+    monkeypatch.setattr(world, 'event', lambda code, text: events.append((code, text)))
+
+    def stopped(*arguments):
+        monkeypatch.setattr(*restored)
+        clock.now += 24.0
+        return restored[2](*arguments)
+    restored = {'within a step': (host, 'work', host.work),
+                'before a step goes out': (host, 'publish', host.publish)}.get(where)
+    try:
+        world._tick()
+        clock.now = 1.6
+        if restored:
+            monkeypatch.setattr(*restored[:2], stopped)
+        world._tick()
+        clock.now += 24.0*(not restored)
+        for _ in range(10):
+            clock.now += 0.125
+            world._tick()
+    finally:
+        world.destroy_node()
+    assert world.step == 2
+    said = [text for code, text in events if code == 'STILL']
+    assert len(said) == 1 and 'stood still for 2' in said[0]
 
 
 def test_in_lock_step_nothing_fires_with_an_input_missing():
