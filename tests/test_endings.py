@@ -15,6 +15,7 @@ from runs import (
 
 from rvd_campaign.flight import fly, supervisor, vigil
 from rvd_campaign.flight.supervisor import Supervisor
+from rvd_campaign.report.run import page, write_report
 from rvd_dynamics.diagram.roster import Process
 from rvd_dynamics.diagram.scenario import parse
 from rvd_dynamics.pulse import Pulse
@@ -105,6 +106,11 @@ def test_a_killed_recorder_loses_nothing_it_had_received(flying, tmp_path):
     recording = read(tmp_path / 'run')
     steps = recording.of('/truth/relative_state').step
     assert len(steps) > 5 and list(steps) == list(range(len(steps)))
+    why = 'bag_recorder was ended by signal 9'          # it could not store that itself
+    verdict = verdict_of(tmp_path / 'run')
+    assert (verdict['success'], verdict['reason'], verdict['given_up']) == (False, 'given_up', why)
+    assert why not in page(recording)
+    assert f'The flight was given up: {why}.' in write_report(tmp_path / 'run').read_text()
 
 
 @pytest.mark.slow
