@@ -178,6 +178,18 @@ def test_what_processes_answer_to_the_end_of_the_bring_up_is_no_failure_of_their
         flight._supervisor.stop()
 
 
+def test_a_run_whose_silent_process_comes_back_has_time_to_make_its_next_step():
+    """One that compiles for a minute made no step meanwhile; it was given up as it came back."""
+    flight = object.__new__(fly.Flight)
+    flight._run = parse('{}', 'plain').run
+    flight._watch = SimpleNamespace(steps=1, verdict=None, paused=False, progress_at=0.0)
+    flight._vigil = SimpleNamespace(waits=True)
+    assert not flight._stalled(61.0)
+    flight._vigil.waits = False
+    assert not flight._stalled(61.2) and not flight._stalled(71.0)
+    assert flight._stalled(71.2)                # the twin: nobody is silent, and still no step
+
+
 def test_what_only_a_node_can_refuse_is_told_in_one_line(tmp_path):
     (tmp_path / 's.yaml').write_text("""
 /**: {ros__parameters: {mission: docking, panels: {mass_kg: 3000.0}}}

@@ -24,6 +24,8 @@ from rvd_dynamics.diagram.ros.host import Host
 from rvd_dynamics.diagram.ros.main import make
 from rvd_dynamics.diagram.ros.process import listen_for_the_end, run
 from rvd_dynamics.diagram.ros.qos import DEPTH
+from rvd_dynamics.diagram.ros.writers import UNKNOWN_NODE
+from rvd_dynamics.pulse import PAGE, Pulse
 
 
 @pytest.fixture(autouse=True)
@@ -526,3 +528,28 @@ def test_but_an_error_of_ours_in_that_wait_is_not_kept_quiet(closing):
         raise RuntimeError('of ours')
     with pytest.raises(RuntimeError, match='of ours'):
         closing(fails)
+
+
+def test_the_recorder_is_waited_for_though_the_graph_does_not_know_it_any_more(monkeypatch):
+    """After DDS took it for dead and found it again it has no name; the page says that it works."""
+    scenario = toy_mission.scenario(processes='blocks', nodes=('sensor', 'bag_recorder'))
+    homes = [process.name for process in Host(arguments(scenario)).roster.processes]
+    page = Pulse.shared(len(homes))
+    for paged in (True, False):
+        if paged:
+            monkeypatch.setenv(PAGE, str(page.file))
+        else:                                   # by hand: only the graph is asked
+            monkeypatch.delenv(PAGE)
+        host = Host(arguments(scenario))
+        make(host, ('sensor',))
+        try:
+            page.beat(homes.index('bag_recorder'), 1)
+            assert host._recorder_is_here() == paged
+            page.leave(homes.index('bag_recorder'))
+            assert not host._recorder_is_here()
+            for name, here in (('bag_recorder', True), (UNKNOWN_NODE, not paged), ('other', False)):
+                monkeypatch.setattr(host.lead, 'get_subscriptions_info_by_topic',
+                                    lambda topic, name=name: [SimpleNamespace(node_name=name)])
+                assert host._recorder_is_here() == here
+        finally:
+            host.nodes['sensor'].destroy_node()

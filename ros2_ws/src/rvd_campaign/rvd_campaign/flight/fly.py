@@ -314,7 +314,9 @@ class Flight:
         patience = STALL_S
         if run.pace == 'realtime':
             patience = max(patience, 4.0 * run.step_s / run.pace_factor)
-        return now - watch.progress_at > patience and not self._vigil.waits
+        if self._vigil.waits:                   # who comes back then has all of that time to go on
+            watch.progress_at = now
+        return now - watch.progress_at > patience
 
     def _why(self, failures: dict[str, int]) -> str:
         parts = {}
