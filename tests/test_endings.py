@@ -15,6 +15,7 @@ from runs import (
 
 from rvd_campaign.flight import fly, supervisor, vigil
 from rvd_campaign.flight.supervisor import Supervisor
+from rvd_campaign.report.run import page, write_report
 from rvd_dynamics.diagram.roster import Process
 from rvd_dynamics.diagram.scenario import parse
 from rvd_dynamics.pulse import Pulse
@@ -105,6 +106,11 @@ def test_a_killed_recorder_loses_nothing_it_had_received(flying, tmp_path):
     recording = read(tmp_path / 'run')
     steps = recording.of('/truth/relative_state').step
     assert len(steps) > 5 and list(steps) == list(range(len(steps)))
+    why = 'bag_recorder was ended by signal 9'          # it could not store that itself
+    verdict = verdict_of(tmp_path / 'run')
+    assert (verdict['success'], verdict['reason'], verdict['given_up']) == (False, 'given_up', why)
+    assert why not in page(recording)
+    assert f'The flight was given up: {why}.' in write_report(tmp_path / 'run').read_text()
 
 
 @pytest.mark.slow
@@ -170,6 +176,18 @@ def test_what_processes_answer_to_the_end_of_the_bring_up_is_no_failure_of_their
             else 'law was ended by signal 15')
     finally:
         flight._supervisor.stop()
+
+
+def test_a_run_whose_silent_process_comes_back_has_time_to_make_its_next_step():
+    """One that compiles for a minute made no step meanwhile; it was given up as it came back."""
+    flight = object.__new__(fly.Flight)
+    flight._run = parse('{}', 'plain').run
+    flight._watch = SimpleNamespace(steps=1, verdict=None, paused=False, progress_at=0.0)
+    flight._vigil = SimpleNamespace(waits=True)
+    assert not flight._stalled(61.0)
+    flight._vigil.waits = False
+    assert not flight._stalled(61.2) and not flight._stalled(71.0)
+    assert flight._stalled(71.2)                # the twin: nobody is silent, and still no step
 
 
 def test_what_only_a_node_can_refuse_is_told_in_one_line(tmp_path):

@@ -79,7 +79,11 @@ def test_every_process_that_is_stopped_is_named_and_one_that_stays_so_ends_the_f
     for name in pids:
         assert any(e.code == 'SILENT' and e.text.startswith(f'{name} ') for e in told), name
     assert [e.text for e in told if e.code == 'GIVEN_UP'] == [last[0].removeprefix('rvd fly: ')]
-    assert last[0].removeprefix('rvd fly: ') in page(read(tmp_path / 'run'))
+    why = last[0].removeprefix('rvd fly: ')
+    assert why in page(read(tmp_path / 'run'))
+    verdict = verdict_of(tmp_path / 'run')
+    assert (verdict['reason'], verdict['given_up']) == ('given_up', why)
+    assert len(verdict['silences']) > len(pids)
 
 
 @pytest.mark.slow

@@ -8,7 +8,7 @@ import time
 import pytest
 import rclpy
 from rclpy.serialization import serialize_message
-from runs import end, in_flight, messages, ROOT, rvd, start_rvd, wait_for
+from runs import end, in_flight, messages, ROOT, rvd, start_rvd, verdict_of, wait_for
 from std_msgs.msg import String
 
 from rvd_campaign.flight.domain import reserved_domain
@@ -141,7 +141,9 @@ def test_a_run_that_comes_into_anothers_domain_ends_and_the_other_one_flies_on(
                      cwd=tmp_path)
         assert second.returncode == 2, second.stdout + second.stderr
         assert re.search(OTHER, second.stderr), second.stderr
-        assert not (tmp_path / 'second' / 'verdict.json').exists()
+        kept = verdict_of(tmp_path / 'second')
+        assert not kept['success'] and kept['reason'] == 'given_up'
+        assert re.search(OTHER, kept['given_up']), kept
         assert first.poll() is None
         first.send_signal(signal.SIGINT)
         assert first.wait(30.0) == 130, (tmp_path / 'out').read_text()

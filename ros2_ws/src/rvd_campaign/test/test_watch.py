@@ -12,6 +12,7 @@ from rvd_dynamics.diagram.ros import qos
 from rvd_dynamics.diagram.ros.host import message_type
 from rvd_dynamics.diagram.roster import Roster
 from rvd_dynamics.diagram.scenario import load
+from rvd_dynamics.pulse import Pulse
 from rvd_interfaces.msg import RelativeState
 from std_msgs.msg import String
 
@@ -49,6 +50,22 @@ def test_a_step_heard_before_its_plant_said_that_it_is_ready_counts(own_domain):
         watch.close()
         plant.destroy_node()
         context.try_shutdown()
+
+
+def test_steps_that_the_plant_has_noted_count_though_none_is_heard(own_domain):
+    """After a pause `fly` may have to find the plant again: that is no stall of the run."""
+    page = Pulse()
+    watch = FlightWatch(Roster(load(SCENARIOS / 'paper.yaml')), own_domain, new_run(), page=page)
+    try:
+        watch.spin(0.2)
+        before = watch.progress_at
+        watch.spin(0.2)
+        assert watch.progress_at == before      # none was made
+        page.flown = 7
+        watch.spin(0.2)
+        assert watch.progress_at > before and watch.steps == 0
+    finally:
+        watch.close()
 
 
 @pytest.mark.parametrize('path', sorted(SCENARIOS.glob('*.yaml')), ids=lambda path: path.stem)

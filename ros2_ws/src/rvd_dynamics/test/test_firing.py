@@ -24,6 +24,8 @@ from rvd_dynamics.diagram.ros.host import Host
 from rvd_dynamics.diagram.ros.main import make
 from rvd_dynamics.diagram.ros.process import listen_for_the_end, run
 from rvd_dynamics.diagram.ros.qos import DEPTH
+from rvd_dynamics.diagram.ros.writers import UNKNOWN_NODE
+from rvd_dynamics.pulse import PAGE, Pulse
 
 
 @pytest.fixture(autouse=True)
@@ -287,7 +289,7 @@ def test_in_real_time_the_world_waits_half_a_step_for_its_thrust_and_no_longer(m
     host.begun = True
     make(host, ('plant',))
     world = host.nodes['plant']
-    world._step_s, world._origin, world._ticked = 1.0, 0.0, 0.0
+    world._step_s, world._origin, world._looked = 1.0, 0.0, 0.0
     late = []
     monkeypatch.setattr(world._lateness, 'add', late.append)
 
@@ -307,6 +309,42 @@ def test_in_real_time_the_world_waits_half_a_step_for_its_thrust_and_no_longer(m
         assert late == pytest.approx([0.0, 0.4, 0.5, 0.0, 0.9, 1.7, 0.7])
     finally:
         world.destroy_node()
+
+
+@pytest.mark.parametrize('where', ['between two looks', 'within a step', 'before a step goes out'])
+def test_a_world_that_stood_still_goes_on_from_where_it_was(monkeypatch, where):
+    """Stopped wherever it may be, it makes one step in the next 1.25 s, which is one step long."""
+    clock = SimpleNamespace(now=0.0)
+    monkeypatch.setattr(plant_node, 'time', SimpleNamespace(monotonic=lambda: clock.now))
+    host = Host(arguments(toy_mission.scenario(pace='realtime')))
+    host.begun = True
+    make(host, ('plant',))
+    world = host.nodes['plant']
+    world._step_s, world._origin, world._looked = 1.0, 0.0, 0.0
+    events = []
+    monkeypatch.setattr(world, 'event', lambda code, text: events.append((code, text)))
+
+    def stopped(*arguments):
+        monkeypatch.setattr(*restored)
+        clock.now += 24.0
+        return restored[2](*arguments)
+    restored = {'within a step': (host, 'work', host.work),
+                'before a step goes out': (host, 'publish', host.publish)}.get(where)
+    try:
+        world._tick()
+        clock.now = 1.6
+        if restored:
+            monkeypatch.setattr(*restored[:2], stopped)
+        world._tick()
+        clock.now += 24.0*(not restored)
+        for _ in range(10):
+            clock.now += 0.125
+            world._tick()
+    finally:
+        world.destroy_node()
+    assert world.step == 2
+    said = [text for code, text in events if code == 'STILL']
+    assert len(said) == 1 and 'stood still for 2' in said[0]
 
 
 def test_in_lock_step_nothing_fires_with_an_input_missing():
@@ -490,3 +528,28 @@ def test_but_an_error_of_ours_in_that_wait_is_not_kept_quiet(closing):
         raise RuntimeError('of ours')
     with pytest.raises(RuntimeError, match='of ours'):
         closing(fails)
+
+
+def test_the_recorder_is_waited_for_though_the_graph_does_not_know_it_any_more(monkeypatch):
+    """After DDS took it for dead and found it again it has no name; the page says that it works."""
+    scenario = toy_mission.scenario(processes='blocks', nodes=('sensor', 'bag_recorder'))
+    homes = [process.name for process in Host(arguments(scenario)).roster.processes]
+    page = Pulse.shared(len(homes))
+    for paged in (True, False):
+        if paged:
+            monkeypatch.setenv(PAGE, str(page.file))
+        else:                                   # by hand: only the graph is asked
+            monkeypatch.delenv(PAGE)
+        host = Host(arguments(scenario))
+        make(host, ('sensor',))
+        try:
+            page.beat(homes.index('bag_recorder'), 1)
+            assert host._recorder_is_here() == paged
+            page.leave(homes.index('bag_recorder'))
+            assert not host._recorder_is_here()
+            for name, here in (('bag_recorder', True), (UNKNOWN_NODE, not paged), ('other', False)):
+                monkeypatch.setattr(host.lead, 'get_subscriptions_info_by_topic',
+                                    lambda topic, name=name: [SimpleNamespace(node_name=name)])
+                assert host._recorder_is_here() == here
+        finally:
+            host.nodes['sensor'].destroy_node()

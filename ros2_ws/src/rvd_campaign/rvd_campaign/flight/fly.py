@@ -90,6 +90,7 @@ class Flight:
             print(f'rvd fly: {problem}', file=sys.stderr)
             if set(self._supervisor.failures().values()) != {EXIT_CANNOT}:      # that says it all
                 print(f'rvd fly: logs are in {self._run_dir / "logs"}', file=sys.stderr)
+            self._keep_given_up(problem)
             return EXIT_FAULT if self._fault else EXIT_CANNOT
         last, links = self._outcome()
         judged = verdict.outcome(last, interrupted)
@@ -115,6 +116,14 @@ class Flight:
         if doubts or incomplete:
             return EXIT_CANNOT
         return EXIT_DONE if judged.success else EXIT_FAILED
+
+    def _keep_given_up(self, problem: str) -> None:
+        """Write why there is no verdict, for who finds the run folder: the bag may not say it."""
+        last, links = self._outcome()
+        content = verdict.as_dict(verdict.outcome(last, problem=problem), links, self._scenario)
+        verdict.write(self._run_dir / 'verdict.json', content | verdict.trust(
+            self._watch.strangers, None, 'the run was given up') | {
+                'given_up': one_line(problem), 'silences': self._silences})
 
     def _follow(self) -> str | None:
         """Return None when the run has ended, or the sentence that says why it could not."""
@@ -305,7 +314,9 @@ class Flight:
         patience = STALL_S
         if run.pace == 'realtime':
             patience = max(patience, 4.0 * run.step_s / run.pace_factor)
-        return now - watch.progress_at > patience and not self._vigil.waits
+        if self._vigil.waits:                   # who comes back then has all of that time to go on
+            watch.progress_at = now
+        return now - watch.progress_at > patience
 
     def _why(self, failures: dict[str, int]) -> str:
         parts = {}

@@ -20,10 +20,11 @@ from rvd_dynamics.recording import whole
 
 INTERRUPTED = 'interrupted'             # reason of a flight that was stopped, and its words
 UNTRUSTED = 'untrusted'                 # reason of a flight whose verdict is not to be believed
+GIVEN_UP = 'given_up'                   # reason of a flight that could not be flown to its end
 LINK_DELAYS = ('delay_p50', 'delay_p99', 'delay_max')
 
 
-def outcome(verdict: Any, interrupted: bool = False) -> Judgement:
+def outcome(verdict: Any, interrupted: bool = False, problem: str = '') -> Judgement:
     """
     Return how a flight went.
 
@@ -33,10 +34,15 @@ def outcome(verdict: Any, interrupted: bool = False) -> Judgement:
         The last message on /run/verdict.
     interrupted : bool
         Somebody stopped the flight, whatever the verdict was by then.
+    problem : str
+        Why the flight was given up, whatever the verdict was by then; empty: it was not.
     """
     if verdict is None:
-        return Judgement(False, INTERRUPTED, INTERRUPTED, math.nan, ())
+        why = GIVEN_UP if problem else INTERRUPTED
+        return Judgement(False, why, problem or why, math.nan, ())
     judged = from_message(verdict)
+    if problem:
+        return judged._replace(success=False, reason=GIVEN_UP, words=problem)
     judged = judged._replace(success=bool(verdict.final and judged.success))
     return judged._replace(reason=INTERRUPTED, words=INTERRUPTED) if interrupted else judged
 

@@ -90,7 +90,8 @@ class FlightWatch:
             e.name for e in roster.diagram.externals if e.foreign}
         self.refused: dict[str, str] = {}       # by node: what it said last that it had left out
         self._steps = 0                         # truth messages looked at
-        self.progress_at = time.monotonic()     # when the last one came
+        self._flown = self._page.flown          # the newest step that the plant has noted
+        self.progress_at = time.monotonic()     # when the last one came, or was noted
         for topic in filter(None, (self._truth, self._command, self._back)):
             self._subscribe(topic, lambda data, topic=topic: self._keep(topic, data), raw=True)
         self._subscribe('/run/ready', self._on_ready)
@@ -177,6 +178,8 @@ class FlightWatch:
             # Always the same timeout: with another one the executor begins its round anew, and
             # the first topic that is always ready starves the rest.
             self._executor.spin_once(timeout_sec=GLANCE_S)
+            if self._page.flown != self._flown:     # it goes on, though this process may be deaf
+                self._flown, self.progress_at = self._page.flown, time.monotonic()
             begun = self._waited_for <= self.ready
             if begun and not self._traces.begun:
                 self._traces.begin()

@@ -15,11 +15,11 @@ from numpy.typing import NDArray
 
 from rvd_campaign.report.figures import figures_of
 from rvd_campaign.report.page import Drawn, render
+from rvd_campaign.report.told import given_up, is_in, Told, told_by
 from rvd_dynamics.bad_input import BadInput, one_line
 from rvd_dynamics.commands import codes
 from rvd_dynamics.diagram.judge import Judged
 from rvd_dynamics.diagram.roster import ENDED_EARLY, GIVEN_UP, SECOND_WRITER, SILENT
-from rvd_dynamics.given import object_of
 from rvd_dynamics.link.channel import LINK_COUNTS
 from rvd_dynamics.recording import whole
 from rvd_dynamics.recording.bag_writer import repair
@@ -63,23 +63,29 @@ def write_report(run_dir: Path) -> Path:
     home = run_dir.parent if run_dir.is_file() or folder == run_dir and run_dir.name == 'bag' \
         else run_dir
     target = home / 'report.html'
-    run = read(run_dir)
-    if run.damage and not any(run.counts.values()):
-        raise BadInput(f'{run_dir}: no report: {"; ".join(run.damage)}')
-    return whole.save(target, page(run, _doubts_told(home / 'verdict.json')))
-
-
-def _doubts_told(verdict: Path) -> list[str]:
-    """Return why the flight itself said that it is not to be trusted."""
+    told = told_by(home / 'verdict.json')
     try:
-        told = object_of(verdict, 'verdict').get('doubts', [])
-    except (BadInput, OSError):                 # a bag alone, or one that is not ours
-        return []
-    return [str(doubt) for doubt in told] if isinstance(told, list) else []
+        run = read(run_dir)
+        if run.damage and not any(run.counts.values()):
+            raise BadInput(f'{run_dir}: no report: {"; ".join(run.damage)}')
+    except BadInput as error:
+        if not told.given_up:
+            raise
+        raise BadInput(f'{error}; the flight was given up: {told.given_up}') from None
+    return whole.save(target, page(run, told.doubts, told))
 
 
-def page(run: Recording, doubts: Iterable[str] = ()) -> str:
-    """Return the report as HTML; `doubts`: why the flight is not to be trusted."""
+def page(run: Recording, doubts: Iterable[str] = (), told: Told = Told()) -> str:
+    """
+    Return the report as HTML.
+
+    Parameters
+    ----------
+    doubts : iterable of str
+        Why the flight is not to be trusted.
+    told : Told
+        What the flight said beside its bag.
+    """
     series = _AsFarAsReadable(run)
     run = replace(run, series=series)
     doubts = list(dict.fromkeys([*doubts, *(e.text for e in run.events
@@ -94,8 +100,9 @@ def page(run: Recording, doubts: Iterable[str] = ()) -> str:
         legs=list(links), links=_link_rows(list(links.values())), decided=_decided_rows(run),
         refused=_refused(run))
     return render(
-        'run.html.j2', title=headline(run, bool(doubts)), mark=mark, kind=kind, facts=_facts(run),
-        warnings=[*(f'Not to be trusted: {doubt}.' for doubt in doubts), *_warnings(run),
+        'run.html.j2', title=headline(run, bool(doubts), bool(given_up(run, told))), mark=mark,
+        kind=kind, facts=_facts(run),
+        warnings=[*(f'Not to be trusted: {doubt}.' for doubt in doubts), *_warnings(run, told),
                   *_damage(run, series), *(d for d in drawn if isinstance(d, str))],
         verdict=run.verdict, judged=run.judged,
         measures=[(m, _used(m)) for m in shown if m.known or m.limited],
@@ -174,9 +181,19 @@ def _events(run: Recording) -> list[tuple[str, str, str, str]]:
     return [*rows, ('', '', '', f'and {more} more')] if more else rows
 
 
-def headline(run: Recording, doubtful: bool = False) -> str:
-    """Return the verdict in words; `doubtful`: it is not to be trusted."""
+def headline(run: Recording, doubtful: bool = False, gave_up: bool = False) -> str:
+    """
+    Return the verdict in words.
+
+    Parameters
+    ----------
+    doubtful : bool
+        It is not to be trusted.
+    gave_up : bool
+        The flight was given up, so that there is none.
+    """
     said = run.verdict.headline if run.judged else (
+        'no verdict: the flight was given up' if gave_up else
         'no verdict: the recording ends before the run does')
     return f'not to be trusted: {said}' if doubtful else said
 
@@ -196,9 +213,12 @@ def _facts(run: Recording) -> list[tuple[str, str, str]]:
     return [*facts, ('delay ', f'{delays} s', '')] if delays else facts
 
 
-def _warnings(run: Recording) -> list[str]:
+def _warnings(run: Recording, told: Told) -> list[str]:
     """Return sentences that say what the bag does not hold; none if it holds everything."""
     said = []
+    why = given_up(run, told)
+    if why and not is_in(why, run.events):
+        said.append(f'The flight was given up: {one_line(why).rstrip(".")}.')
     where = 'before the first step' if run.last_step < 0 else f'at step {run.last_step}'
     if run.scenario is not None and run.last_step >= 0:
         where += f' ({run.last_step * run.scenario.run.step_s:g} s)'
@@ -206,8 +226,9 @@ def _warnings(run: Recording) -> list[str]:
         said.append(f'The bag was cut off {where}; it holds nothing that came later.')
     elif not run.ended:
         said.append(f'The recording was stopped {where}, before the run ended.')
-    silences = [e for e in run.events if e.code in (SILENT, ENDED_EARLY, GIVEN_UP)]
-    said += [f'At {e.t:.1f} s: {one_line(e.text)}.' for e in silences[:MOST_SILENCES]]
+    silences = [(e.t, e.text) for e in run.events if e.code in (SILENT, ENDED_EARLY, GIVEN_UP)]
+    silences += [(t, text) for t, text in told.silences if not is_in(text, run.events)]
+    said += [f'At {t:.1f} s: {one_line(text)}.' for t, text in sorted(silences)[:MOST_SILENCES]]
     if any(run.missing.values()):
         said.append(f'Steps missing from the bag: {_listed(run.missing)}.')
     if any(run.lost.values()):

@@ -29,7 +29,7 @@ from rvd_dynamics.diagram.ros.conversions import header_at
 from rvd_dynamics.diagram.ros.ending import Ending
 from rvd_dynamics.diagram.ros.node import RunNode
 from rvd_dynamics.diagram.ros.traces import Traces
-from rvd_dynamics.diagram.ros.writers import Stranger
+from rvd_dynamics.diagram.ros.writers import Stranger, UNKNOWN_NODE
 from rvd_dynamics.diagram.roster import MONITOR, RECORDER, Roster, SECOND_WRITER
 from rvd_dynamics.pulse import BEAT_S, Pulse
 from rvd_interfaces.msg import RunEvent
@@ -370,5 +370,18 @@ class Host:
                 time.sleep(0.02)
 
     def _recorder_is_here(self) -> bool:
+        """
+        Say whether the recorder is there, and may still take what comes.
+
+        The graph has no names for nodes that DDS has taken for dead and found again. On the page of
+        the run the recorder notes when it is done; by hand, one without a name counts.
+        """
+        names = {RECORDER}
+        if self._is_told:
+            homes = [process.name for process in self.roster.processes]
+            if self._pulse.beaten_s(homes.index(self.roster.process_of[RECORDER])) is not None:
+                return True
+        else:
+            names.add(UNKNOWN_NODE)
         readers = self._lead.get_subscriptions_info_by_topic('/run/end')
-        return any(reader.node_name == RECORDER for reader in readers)
+        return any(reader.node_name in names for reader in readers)

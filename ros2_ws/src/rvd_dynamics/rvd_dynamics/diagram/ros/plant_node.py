@@ -128,7 +128,7 @@ class PlantNode(BlockNode):
         self._started_ns = time.time_ns()
         if self.realtime:
             self._step_s = self.run.step_s / self.run.pace_factor
-            self._origin = self._ticked = time.monotonic()
+            self._origin = self._looked = time.monotonic()
             self.create_timer(self._step_s / TICKS_PER_STEP, self.guarded(self._tick))
 
     def _met(self, run: str, ready_ns: int) -> None:
@@ -149,20 +149,29 @@ class PlantNode(BlockNode):
                        f'refused: {in_words(run)}; give each run its own')
 
     def _tick(self) -> None:
-        now = time.monotonic()
-        self._wake(now - self._ticked)
-        until = now + SLICE_S                   # a plant that is behind hears the others, too
+        until = self._now() + SLICE_S           # a plant that is behind hears the others, too
         while (not self._paused and not self.finished and not self._is_over()
                and (late := self._late()) >= 0.0 and time.monotonic() < until
                and (late >= PATIENCE*self._step_s or all(g.there() for g in self._given))):
             self._lateness.add(late)
             self.fire()
             self.host.work()                    # what of it is here fires before the next step
-        self._ticked = time.monotonic()
+
+    def _now(self) -> float:
+        """
+        Return the wall time; the clock of the run is moved on by what this process stood still.
+
+        That is looked at wherever the time is: a process can be stopped within a step as well as
+        while it waits for one.
+        """
+        now, before = time.monotonic(), self._looked
+        self._looked = now
+        self._wake(now - before)
+        return now
 
     def _late(self) -> float:
         """Return for how long the next step has been due [s]; negative before."""
-        return time.monotonic() - self._origin - self._next * self._step_s
+        return self._now() - self._origin - self._next * self._step_s
 
     def _pace_kept(self) -> str:
         """Say how well real time was kept: commands that were missing, and when steps were made."""
