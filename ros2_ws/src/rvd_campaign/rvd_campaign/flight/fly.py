@@ -19,7 +19,8 @@ from rvd_dynamics.recording import drawing, reader
 from rvd_campaign.exits import (
     EXIT_CANNOT, EXIT_DONE, EXIT_FAILED, EXIT_FAULT, EXIT_INTERRUPTED)
 from rvd_dynamics.diagram.identity import new_run
-from rvd_dynamics.diagram.roster import ENDED_EARLY, GIVEN_UP, listed, MONITOR, SILENT
+from rvd_dynamics.diagram.roster import (
+    ENDED_EARLY, GIVEN_UP, listed, MONITOR, SECOND_WRITER, SILENT)
 from rvd_dynamics.diagram.scenario import Scenario
 from rvd_campaign.interrupts import uninterrupted
 from rvd_campaign.flight.supervisor import Supervisor
@@ -127,6 +128,8 @@ class Flight:
             if self._watch.strangers:           # told in the end, with all that there were
                 self._watch.hear_of_strangers()
                 self._show()
+                for words in self._watch.strangers:     # for a recorder that has not read it
+                    self._supervisor.pulse.say(SECOND_WRITER, self._step, words)
                 return None
             if self._is_final(self._watch.verdict):
                 self._wait_for_the_nodes()

@@ -30,7 +30,7 @@ from rvd_dynamics.diagram.ros.ending import Ending
 from rvd_dynamics.diagram.ros.node import RunNode
 from rvd_dynamics.diagram.ros.traces import Traces
 from rvd_dynamics.diagram.ros.writers import Stranger
-from rvd_dynamics.diagram.roster import MONITOR, RECORDER, Roster, SECOND_WRITER
+from rvd_dynamics.diagram.roster import COUNTED, MONITOR, RECORDER, Roster, SECOND_WRITER
 from rvd_dynamics.pulse import BEAT_S, Pulse
 from rvd_interfaces.msg import RunEvent
 
@@ -82,7 +82,8 @@ class Host:
         self.ending = Ending(self)
         self.run_id = arguments.run_id
         self._traced: list[str] = []            # topics with such a trace, where there is no page
-        self.traces = Traces(self.roster, self.run_id, lambda: self._lead)
+        self.traces = Traces(self.roster, self.run_id, lambda: self._lead,
+                             written=self._written)
 
     # -- nodes ------------------------------------------------------------------------------
 
@@ -131,6 +132,8 @@ class Host:
         little later, many at a time: the ring would stand still meanwhile, and each reader be
         woken for each.
         """
+        if topic in COUNTED:
+            self._pulse.write(self._place, COUNTED.index(topic))
         keepers = self._keepers.get(topic)
         if keepers and not isinstance(message, bytes):
             message = serialize_message(message)
@@ -247,6 +250,10 @@ class Host:
                 self._traced.append(topic)
             else:
                 self.event(self._lead, SECOND_WRITER, Stranger(topic, '', False, True).words)
+
+    def _written(self, topic: str) -> int | None:
+        """Return how many messages the run has written on one of COUNTED; None by hand."""
+        return self._pulse.written(COUNTED.index(topic)) if self._is_told else None
 
     @property
     def traced(self) -> list[str]:
