@@ -8,6 +8,7 @@ silent. The plant notes how far the run has come; the recorder counts by that wh
 and notes what it has given up for want of disk, which the bag may have no room to say.
 Who started the run notes in words what it sees of the processes, and the recorder puts that into
 the bag, even what was said while it stood still itself.
+A process that compiles a loop notes that, too: it may take a minute, and nobody is to give it up.
 Each process marks topics on which it found a trace of a second writer; the monitor says so. And
 each counts what it writes where several may and seldom do: who reads more than that all of them
 have written reads a stranger.
@@ -23,7 +24,7 @@ PAGE = 'RVD_PULSE'              # environment: descriptor of the page
 NAME = 'rvd_pulse'              # of the page in /proc/PID/maps
 BEAT_S = 0.5                    # [s] wall time after which a process that has nothing to do beats
 # Words: newest step, last step, bytes that were said, messages given up, and the first of the
-# processes: when each has beaten, then COUNTS of each. Text follows.
+# processes: when each has beaten, when each has compiled, then COUNTS of each. Text follows.
 FLOWN, FINAL, SAID, LOST, FIRST = 0, 1, 2, 3, 4
 WORD = 8                        # [bytes] int64, which the processor stores in one go
 TEXT = 1 << 16                  # [bytes] of all that is said in a run: some hundred sentences
@@ -88,13 +89,22 @@ class Pulse:
 
     def write(self, place: int, count: int) -> None:
         """Note, before it is sent, that a process writes a message on a topic that is counted."""
-        self._words[FIRST + len(self) + COUNTS*place + count] += 1
+        self._words[FIRST + 2*len(self) + COUNTS*place + count] += 1
+
+    def compile(self, place: int, begins: bool, now_ns: int) -> None:
+        """Note that a process begins to compile, or has done so."""
+        self._words[FIRST + len(self) + place] = now_ns if begins else -now_ns
+
+    def compiled_s(self, place: int) -> tuple[bool, float]:
+        """Return whether a process compiles, and since or until when [s]; 0: it never did."""
+        word = self._words[FIRST + len(self) + place]
+        return word > 0, abs(word) / 1e9
 
     # -- of the run -------------------------------------------------------------------------
 
     def written(self, count: int) -> int:
         """Return how many messages all processes have written on a topic that is counted."""
-        first = FIRST + len(self)
+        first = FIRST + 2*len(self)
         return sum(self._words[first + count:first + COUNTS*len(self):COUNTS])
 
     def mark(self, topic: int) -> bool:
@@ -164,9 +174,9 @@ class Pulse:
 
 def _size(places: int) -> int:
     """Return the size of a page for so many processes [bytes]."""
-    return WORD * (FIRST + (1 + COUNTS) * places) + MARKS + TEXT
+    return WORD * (FIRST + (2 + COUNTS) * places) + MARKS + TEXT
 
 
 def _places(size: int) -> int:
     """Return for how many processes a page of `size` [bytes] is."""
-    return ((size - TEXT - MARKS) // WORD - FIRST) // (1 + COUNTS)
+    return ((size - TEXT - MARKS) // WORD - FIRST) // (2 + COUNTS)

@@ -40,6 +40,9 @@ def test_what_each_process_counts_is_added_up_for_each_topic():
                    env={**os.environ, pulse.PAGE: str(page.file)})
     page.write(1, 1)
     page.mark(0)
+    for place, begins in ((0, True), (1, False)):
+        page.compile(place, begins, 7_000_000_000)
+    assert [page.compiled_s(place) for place in range(3)] == [(True, 7.0), (False, 7.0), (False, 0.0)]
     page.say('SILENT', 1, 'law')
     assert [page.written(count) for count in range(pulse.COUNTS)] == [1, 6, 0]
     assert (page.flown, page.final, page.lost, page.beaten_s(1)) == (-1, -1, 0, None)

@@ -19,7 +19,7 @@ from rclpy.publisher import Publisher
 from rclpy.serialization import serialize_message
 from std_msgs.msg import String
 
-from rvd_dynamics import lifeline
+from rvd_dynamics import compiling, lifeline
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.diagram import identity
@@ -100,10 +100,14 @@ class Host:
             self._place, self._is_told = homes.index(home), True
         else:                                   # started by hand
             self._pulse = Pulse()
+        compiling.follow(self._compiles)
         self._ready = node.writer('/run/ready', String)
         self._events = node.writer('/run/events', RunEvent)
         self._diagnostics = node.writer('/diagnostics', DiagnosticArray)
         self._barrier.wait()
+
+    def _compiles(self, begins: bool) -> None:
+        self._pulse.compile(self._place, begins, time.monotonic_ns())
 
     @property
     def lead(self) -> RunNode:
