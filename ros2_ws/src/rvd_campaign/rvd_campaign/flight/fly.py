@@ -299,10 +299,13 @@ class Flight:
         watch, run = self._watch, self._run
         if not watch.steps or watch.paused or self._is_final(watch.verdict):
             return False
+        if self._vigil.waits:                   # who comes back gets the time to make a step
+            watch.progress_at = now
+            return False
         patience = STALL_S
         if run.pace == 'realtime':
             patience = max(patience, 4.0 * run.step_s / run.pace_factor)
-        return now - watch.progress_at > patience and not self._vigil.waits
+        return now - watch.progress_at > patience
 
     def _why(self, failures: dict[str, int]) -> str:
         parts = {}
