@@ -278,6 +278,19 @@ def test_a_process_that_computes_is_given_longer_than_one_that_hangs(
         process.wait()
 
 
+@pytest.mark.parametrize('waited', [True, False])
+def test_who_comes_back_gets_the_time_to_make_a_step(waited):
+    """It has compiled for minutes, in which the ring made none."""
+    flight = object.__new__(fly.Flight)
+    flight._run = SimpleNamespace(pace='lockstep')
+    flight._vigil = SimpleNamespace(waits=waited)
+    flight._watch = SimpleNamespace(steps=1, paused=False, verdict=None, progress_at=100.0)
+    assert flight._stalled(280.0) == (not waited)
+    flight._vigil.waits = False
+    assert flight._stalled(289.9) == (not waited)
+    assert flight._stalled(290.1)
+
+
 @pytest.mark.parametrize('final, said', [
     (-1, 'law ended before the run was over'),
     (9, 'the run ended without a verdict: mission_monitor ended and had given none')])

@@ -79,6 +79,36 @@ def test_one_that_computed_and_then_hangs_is_given_up_as_one_that_hangs(run):
     assert 'it hangs' in run.vigil.in_words(run.vigil.given_up())
 
 
+@pytest.mark.parametrize('notes', [True, False])
+def test_one_that_compiles_is_waited_for_and_counts_from_there(run, notes):
+    """The negative twin: one that notes nothing is given up after two minutes."""
+    for _ in range(6):                          # loops, 40 s each, with a moment between them
+        if notes:
+            run.page.compile(0, True, round(1e9*run.now))
+        run.goes(39.5, beats=False, busy=0.5)
+        if notes:
+            run.page.compile(0, False, round(1e9*run.now))
+        run.goes(0.5, beats=False, busy=0.5)
+    assert bool(run.vigil.given_up()) != notes
+    told, = run.said                            # once, not for each
+    if not notes:
+        return
+    assert 'it compiles loops, which is done once on a machine; the flight waits' in told
+    assert run.vigil.waits and run.vigil.silent['link'].seconds > 200.0
+    run.goes(118.0, beats=False, busy=0.5)
+    assert not run.vigil.given_up()
+    run.goes(2.0, beats=False, busy=0.5)
+    assert 'for 120 s of wall time: it computes' in run.vigil.in_words(run.vigil.given_up())
+
+
+@pytest.mark.parametrize('does, how', [('S', 'hangs'), ('T', 'is stopped')])
+def test_one_that_does_nothing_does_not_compile_whatever_it_has_noted(run, does, how):
+    run.page.compile(0, True, round(1e9*run.now))
+    run.does = does
+    run.goes(16.0, beats=False)
+    assert f'it {how}' in run.vigil.in_words(run.vigil.given_up())
+
+
 def test_while_this_process_does_not_run_nobody_is_to_blame(run):
     run.now += 60.0                             # a paused container: all stood still
     run.goes(1.5, beats=False)

@@ -8,7 +8,10 @@ silent. The plant notes how far the run has come; the recorder counts by that wh
 and notes what it has given up for want of disk, which the bag may have no room to say.
 Who started the run notes in words what it sees of the processes, and the recorder puts that into
 the bag, even what was said while it stood still itself.
-Each process marks topics on which it found a trace of a second writer; the monitor says so.
+A process that compiles a loop notes that, too: it may take a minute, and nobody is to give it up.
+Each process marks topics on which it found a trace of a second writer; the monitor says so. And
+each counts what it writes where several may and seldom do: who reads more than that all of them
+have written reads a stranger.
 
 Source  memfd_create(2); CLOCK_MONOTONIC is one clock for all processes of a machine.
 """
@@ -21,11 +24,12 @@ PAGE = 'RVD_PULSE'              # environment: descriptor of the page
 NAME = 'rvd_pulse'              # of the page in /proc/PID/maps
 BEAT_S = 0.5                    # [s] wall time after which a process that has nothing to do beats
 # Words: newest step, last step, bytes that were said, messages given up, and the first of the
-# processes. Text follows.
+# processes: when each has beaten, when each has compiled, then COUNTS of each. Text follows.
 FLOWN, FINAL, SAID, LOST, FIRST = 0, 1, 2, 3, 4
 WORD = 8                        # [bytes] int64, which the processor stores in one go
 TEXT = 1 << 16                  # [bytes] of all that is said in a run: some hundred sentences
 MARKS = 512                     # [bytes] before it, one for each topic of the run
+COUNTS = 3                      # topics on which messages are counted
 NO_STEP = -1
 
 
@@ -40,9 +44,9 @@ class Pulse:
     """
 
     def __init__(self, file: int = -1, places: int = 1) -> None:
-        size = WORD * (FIRST + places) + MARKS + TEXT
+        size = _size(places)
         self.file, self.inherits = file, file >= 0
-        self._page = mmap.mmap(file, size)
+        self._page, self._places = mmap.mmap(file, size), places
         self._words = memoryview(self._page).cast('q')
         self._marks = memoryview(self._page)[-TEXT - MARKS:-TEXT]
         if file < 0:
@@ -52,7 +56,7 @@ class Pulse:
     def shared(cls, places: int) -> 'Pulse':
         """Make a page for so many processes, which they inherit by its descriptor."""
         file = os.memfd_create(NAME, os.MFD_CLOEXEC | os.MFD_ALLOW_SEALING)
-        os.ftruncate(file, WORD * (FIRST + places) + MARKS + TEXT)
+        os.ftruncate(file, _size(places))
         fcntl.fcntl(file, fcntl.F_ADD_SEALS, fcntl.F_SEAL_SHRINK | fcntl.F_SEAL_GROW)
         made = cls(file, places)
         made.flown = made.final = NO_STEP
@@ -64,7 +68,7 @@ class Pulse:
         try:
             file = int(os.environ.get(PAGE, ''))
             if f'/memfd:{NAME} ' in os.readlink(f'/proc/self/fd/{file}'):
-                return cls(file, (os.fstat(file).st_size - TEXT - MARKS) // WORD - FIRST)
+                return cls(file, _places(os.fstat(file).st_size))
         except (ValueError, OSError):
             pass
         return cls()
@@ -83,7 +87,25 @@ class Pulse:
         """Return when a process has beaten last [s, time.monotonic]; None before and after."""
         return self._words[FIRST + place] / 1e9 or None
 
+    def write(self, place: int, count: int) -> None:
+        """Note, before it is sent, that a process writes a message on a topic that is counted."""
+        self._words[FIRST + 2*len(self) + COUNTS*place + count] += 1
+
+    def compile(self, place: int, begins: bool, now_ns: int) -> None:
+        """Note that a process begins to compile, or has done so."""
+        self._words[FIRST + len(self) + place] = now_ns if begins else -now_ns
+
+    def compiled_s(self, place: int) -> tuple[bool, float]:
+        """Return whether a process compiles, and since or until when [s]; 0: it never did."""
+        word = self._words[FIRST + len(self) + place]
+        return word > 0, abs(word) / 1e9
+
     # -- of the run -------------------------------------------------------------------------
+
+    def written(self, count: int) -> int:
+        """Return how many messages all processes have written on a topic that is counted."""
+        first = FIRST + 2*len(self)
+        return sum(self._words[first + count:first + COUNTS*len(self):COUNTS])
 
     def mark(self, topic: int) -> bool:
         """Mark a topic, by its place; return whether another process can see that."""
@@ -141,10 +163,20 @@ class Pulse:
                 (line.split(' ', 2) for line in lines)], end
 
     def __len__(self) -> int:
-        return (len(self._page) - TEXT - MARKS) // WORD - FIRST
+        return self._places
 
     def handed_on(self) -> None:
         """Close the descriptor, which others have inherited by now; the page stays."""
         if self.file >= 0:
             os.close(self.file)
             self.file = -1
+
+
+def _size(places: int) -> int:
+    """Return the size of a page for so many processes [bytes]."""
+    return WORD * (FIRST + (2 + COUNTS) * places) + MARKS + TEXT
+
+
+def _places(size: int) -> int:
+    """Return for how many processes a page of `size` [bytes] is."""
+    return ((size - TEXT - MARKS) // WORD - FIRST) // (2 + COUNTS)

@@ -24,6 +24,8 @@ from rvd_dynamics.recording import mcap_file
 from rvd_dynamics.recording.bag_writer import repair
 from rvd_dynamics.diagram.ros import qos
 from rvd_dynamics.diagram.ros.conversions import header_at, time_at
+from rvd_dynamics.diagram.roster import Roster, SECOND_WRITER
+from rvd_dynamics.diagram.scenario import parse
 from rvd_interfaces.msg import LinkFrame, RelativeState, RunEvent
 
 STEP_NS = 500_000_000
@@ -260,6 +262,32 @@ def test_what_is_said_of_the_processes_is_an_event_in_the_bag(ros, tmp_path, sai
     made.process.send_signal(signal.SIGCONT)
     assert made.process.wait(timeout=20) == 0
     assert events() == expected
+    page.handed_on()
+
+
+@pytest.mark.parametrize('said', [True, False])
+def test_a_second_writer_is_in_the_bag_of_a_recorder_that_heard_no_event_of_it(
+        ros, tmp_path, said):
+    """By the words of `fly`, by a mark of any process alone, and once."""
+    page, roster = Pulse.shared(2), Roster(parse('{}', 'default'))
+    made = Recorder(ros, tmp_path, '[bag_recorder, relative_sensor]', page)
+    made.until(made.matched)
+    made.send('/run/scenario', String(data='scenario'))
+    made.send('/onboard/downlink', LinkFrame(step=0))
+    made.until(lambda: '/onboard/downlink' in made.stored())
+    made.process.send_signal(signal.SIGSTOP)
+    if said:
+        page.say(SECOND_WRITER, 7, 'a second writer on /joy: node x')
+        for topic in ('/joy', '/run/pause'):
+            page.mark(roster.place_of(topic))
+    made.process.send_signal(signal.SIGTERM)
+    made.process.send_signal(signal.SIGCONT)
+    assert made.process.wait(timeout=20) == 0
+    events = [deserialize_message(data, RunEvent)
+              for data in made.stored().get('/run/events', ())]
+    assert [(e.node, e.code, e.text) for e in events] == said*[
+        ('rvd_fly', SECOND_WRITER, 'a second writer on /joy: node x'),
+        ('bag_recorder', SECOND_WRITER, 'a second writer on /run/pause: a node without a name')]
     page.handed_on()
 
 

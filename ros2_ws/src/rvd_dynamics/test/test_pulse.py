@@ -9,6 +9,7 @@ import time
 import pytest
 
 from rvd_dynamics import lifeline, pulse
+from rvd_dynamics.diagram.roster import COUNTED
 from rvd_dynamics.pulse import Pulse
 
 
@@ -28,6 +29,24 @@ def test_what_a_process_notes_the_one_that_made_the_page_sees():
     assert (page.beaten_s(0), page.beaten_s(2), page.flown, page.final) == (None, None, 7, 9)
     with pytest.raises(PermissionError):        # nobody can take it from under the others
         os.ftruncate(page.file, 0)
+    page.handed_on()
+
+
+def test_what_each_process_counts_is_added_up_for_each_topic():
+    page = Pulse.shared(3)
+    code = ('from rvd_dynamics import pulse; page = pulse.Pulse.inherited();'
+            '[page.write(2, 1) for _ in range(5)]; page.write(0, 0); page.beat(2, 1)')
+    subprocess.run([sys.executable, '-c', code], check=True, pass_fds=(page.file,),
+                   env={**os.environ, pulse.PAGE: str(page.file)})
+    page.write(1, 1)
+    page.mark(0)
+    for place, begins in ((0, True), (1, False)):
+        page.compile(place, begins, 7_000_000_000)
+    assert [page.compiled_s(place) for place in range(3)] == [(True, 7.0), (False, 7.0), (False, 0.0)]
+    page.say('SILENT', 1, 'law')
+    assert [page.written(count) for count in range(pulse.COUNTS)] == [1, 6, 0]
+    assert (page.flown, page.final, page.lost, page.beaten_s(1)) == (-1, -1, 0, None)
+    assert COUNTED and len(COUNTED) <= pulse.COUNTS
     page.handed_on()
 
 

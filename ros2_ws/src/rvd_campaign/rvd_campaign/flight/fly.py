@@ -19,15 +19,15 @@ from rvd_dynamics.recording import drawing, reader
 from rvd_campaign.exits import (
     EXIT_CANNOT, EXIT_DONE, EXIT_FAILED, EXIT_FAULT, EXIT_INTERRUPTED)
 from rvd_dynamics.diagram.identity import new_run
-from rvd_dynamics.diagram.roster import ENDED_EARLY, GIVEN_UP, listed, MONITOR, SILENT
+from rvd_dynamics.diagram.roster import (
+    ENDED_EARLY, GIVEN_UP, listed, MONITOR, SECOND_WRITER, SILENT)
 from rvd_dynamics.diagram.scenario import Scenario
 from rvd_campaign.interrupts import uninterrupted
+from rvd_campaign.flight.starting import Starting
 from rvd_campaign.flight.supervisor import Supervisor
 from rvd_campaign.flight.vigil import STALL_S, Vigil
 from rvd_campaign.report.attempt import attempt
 
-# [s] wall time for the graph to come up; in real time it compiles before it starts, where it must
-START_S = {'lockstep': 60.0, 'realtime': 180.0}
 END_S = 15.0                    # [s] wall time for the nodes to end after the verdict
 SHOW_S = 0.2                    # [s] wall time between two looks
 STOPPED_S = 5.0                 # [s] wall time without a look: this process did not run
@@ -64,6 +64,7 @@ class Flight:
         self._vigil = Vigil(
             self._roster.processes, self._supervisor.pulse, self._supervisor.left,
             [name for name, e in self._roster.externals.items() if e.foreign or e.viewer])
+        self._starting = Starting(self._roster, domain, self._vigil)
         self._early: list[str] = []             # who ended before the run was over
         self._silences: list[dict[str, Any]] = []           # what was said of processes, and when
         self._shown_at, self._shown = 0.0, ''
@@ -127,15 +128,16 @@ class Flight:
 
     def _follow(self) -> str | None:
         """Return None when the run has ended, or the sentence that says why it could not."""
-        begun, gone_at = time.monotonic(), None
+        gone_at = None
         while True:
             stopped_s = self._look(SHOW_S if self._watch.steps else 0.05)
-            begun += stopped_s
             if self._stop_asked():
                 raise KeyboardInterrupt
             if self._watch.strangers:           # told in the end, with all that there were
                 self._watch.hear_of_strangers()
                 self._show()
+                for words in self._watch.strangers:     # for a recorder that has not read it
+                    self._supervisor.pulse.say(SECOND_WRITER, self._step, words)
                 return None
             if self._is_final(self._watch.verdict):
                 self._wait_for_the_nodes()
@@ -162,17 +164,12 @@ class Flight:
                 gone_at = now if gone_at is None else gone_at + stopped_s
                 if now - gone_at > END_S:
                     return f'{", ".join(gone)} ended before the run was over'
-            if not self._watch.steps and now - begun > (start_s := START_S[self._run.pace]):
-                foreign = [e for e in self._roster.diagram.externals if e.foreign]
-                silent = [topic for e in foreign for topic in e.writes
-                          if not self._watch.is_written(topic)]
-                if silent:
-                    return (f'the graph did not come up in {start_s:g} s: nobody publishes '
-                            f'{", ".join(silent)} with ROS_DOMAIN_ID={self._domain}: start its driver')
-                waiting = sorted(set(self._roster.names) - self._watch.ready
-                                 - {e.name for e in foreign})
-                return (f'the graph did not come up in {start_s:g} s: not ready: '
-                        f'{", ".join(waiting) or self._roster.diagram.plant}')
+            if not self._watch.steps:
+                if why := self._starting.look(self._watch, stopped_s):
+                    return why
+                if news := self._starting.news():
+                    self._end_line()
+                    print(f'  {news}', flush=True)
             if lost := self._vigil.given_up():
                 return self._vigil.in_words(lost, self._owed_by({s.name for s in lost}))
             if self._stalled(now):
@@ -311,11 +308,12 @@ class Flight:
         watch, run = self._watch, self._run
         if not watch.steps or watch.paused or self._is_final(watch.verdict):
             return False
+        if self._vigil.waits:                   # who comes back gets the time to make a step
+            watch.progress_at = now
+            return False
         patience = STALL_S
         if run.pace == 'realtime':
             patience = max(patience, 4.0 * run.step_s / run.pace_factor)
-        if self._vigil.waits:                   # who comes back then has all of that time to go on
-            watch.progress_at = now
         return now - watch.progress_at > patience
 
     def _why(self, failures: dict[str, int]) -> str:
@@ -359,7 +357,7 @@ class Flight:
             return
         line = one_line(self._watch.line())
         if not self._watch.steps:
-            line = f'starting: {len(self._watch.ready)} of {len(self._roster.names)} nodes ready'
+            line = self._starting.line(len(self._watch.ready))
         if sys.stdout.isatty():
             width = shutil.get_terminal_size().columns - 1      # a longer line would wrap
             print(f'\r\x1b[K{line[:width]}', end='', flush=True)

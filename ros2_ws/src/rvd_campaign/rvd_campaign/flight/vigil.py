@@ -3,10 +3,12 @@ Who of a run's processes gives no sign of life, and why: what `fly` says of it.
 
 Each notes on the page of the run (`rvd_dynamics.pulse`) when its loop turns: at each message, at
 each firing, and twice a second when it has nothing to do. So it is silent when it is stopped, when
-it hangs, and while it computes; /proc tells which.
+it hangs, and while it computes; /proc tells which. That it compiles a loop, as at a first use, it
+notes: on a machine with other work that takes minutes, and is no reason to give the run up.
 """
 
 from collections.abc import Callable, Collection
+import math
 import time
 from typing import NamedTuple
 
@@ -17,14 +19,16 @@ from rvd_dynamics.pulse import Pulse
 
 SILENT_S = 2.0                  # [s] wall time without a sign of life that is said,
 STALL_S = 10.0                  # [s] with which a run is given up,
-WORK_S = 120.0                  # [s] and where the process computes: a first use compiles
+WORK_S = 120.0                  # [s] and where the process computes
+SINCE_S = 1.0                   # [s] wall time between two loops that are compiled
 BUSY = 0.1                      # share of a core that is more than waiting
 LATELY_S = 4.0                  # [s] wall time over which that is looked at
 LOOK_S = 0.2                    # [s] wall time between two looks
 UNSEEN_S = 1.0                  # [s] wall time between two looks: this process did not run itself
 STOPPED, COMPUTES, HANGS = 'is stopped', 'computes', 'hangs'
-MEANT = {STOPPED: 'is stopped (SIGSTOP, or a debugger)', COMPUTES: 'computes (a first use '
-         'compiles)', HANGS: 'hangs'}
+COMPILES = 'compiles'
+MEANT = {STOPPED: 'is stopped (SIGSTOP, or a debugger)', COMPUTES: 'computes', HANGS: 'hangs',
+         COMPILES: 'compiles loops, which is done once on a machine'}
 
 
 class Silent(NamedTuple):
@@ -32,12 +36,13 @@ class Silent(NamedTuple):
 
     name: str
     seconds: float              # wall time since the last one
-    how: str                    # STOPPED, COMPUTES or HANGS
+    how: str                    # STOPPED, COMPUTES, COMPILES or HANGS
+    counted: float              # those of the seconds since it has compiled
 
     @property
     def patience_s(self) -> float:
         """How long it may be silent before the run is given up [s]."""
-        return WORK_S if self.how == COMPUTES else STALL_S
+        return {COMPILES: math.inf, COMPUTES: WORK_S}.get(self.how, STALL_S)
 
 
 class Vigil:
@@ -93,13 +98,15 @@ class Vigil:
         return said
 
     def _what_then(self, silent: Silent) -> str:
+        if silent.how == COMPILES:
+            return 'the flight waits for it'
         return ('the flight goes on without it' if silent.name in self._spared else
                 f'the flight is given up after {silent.patience_s:g} s')
 
     def given_up(self) -> list[Silent]:
         """Return those whose silence has lasted too long; none while there is hope."""
         return [s for s in self.silent.values()
-                if s.seconds > s.patience_s and s.name not in self._spared]
+                if s.counted > s.patience_s and s.name not in self._spared]
 
     def in_words(self, lost: list[Silent], owing: str = '') -> str:
         """Return one sentence for each of `lost`; `owing`: what they owe, where that is known."""
@@ -112,6 +119,16 @@ class Vigil:
         """Whether the flight waits for a process that may yet come back."""
         return not self.silent.keys() <= self._spared
 
+    def compiling(self) -> list[str]:
+        """Return the names of the processes that compile; one that is stopped does not."""
+        return [name for name, pid in self._pids().items()
+                if self._compiles(name, time.monotonic())
+                and self._usage(pid).state not in cpu.STOPPED]
+
+    def _compiles(self, name: str, now: float) -> bool:
+        compiles, at = self._pulse.compiled_s(self._places[name])
+        return compiles or now - at < SINCE_S
+
     def _silence(self, name: str, pid: int, now: float) -> Silent | None:
         """Return for how long a process has been silent, and why; None where it need not speak."""
         found = self._usage(pid)
@@ -123,13 +140,15 @@ class Vigil:
         if beaten is None:                      # not begun, not ours, or done with its work
             return None
         seconds = now - max(beaten, self._since)
+        counted = min(seconds, now - self._pulse.compiled_s(self._places[name])[1])
         if found.state in cpu.STOPPED:
-            return Silent(name, seconds, STOPPED)
+            return Silent(name, seconds, STOPPED, counted)
         if seconds < 0.5*SILENT_S:
             self._used.pop(name, None)
             return None
         busy = self._computes(name, found, now)
-        return Silent(name, seconds, COMPUTES if busy else HANGS)
+        how = COMPILES if busy and self._compiles(name, now) else COMPUTES if busy else HANGS
+        return Silent(name, seconds, how, counted)
 
     def _computes(self, name: str, found: Usage, now: float) -> bool:
         """Say whether a silent process has lately done more than wait."""

@@ -25,7 +25,7 @@ from rvd_dynamics.diagram.ros.conversions import ns_of
 from rvd_dynamics.diagram.ros.host import message_type
 from rvd_dynamics.diagram.ros.traces import Traces
 from rvd_dynamics.diagram.ros.writers import NAMELESS, Stranger, Writers
-from rvd_dynamics.diagram.roster import Roster
+from rvd_dynamics.diagram.roster import COUNTED, Roster
 from rvd_dynamics.pulse import Pulse
 from rvd_dynamics.verdict_line import Message, STRANGER, VERDICT
 from rvd_interfaces.msg import Verdict
@@ -84,7 +84,7 @@ class FlightWatch:
         self._events: list[Any] = []
         self._seen: dict[str, str] = {}         # what was said of a second writer, by topic
         self._writers = Writers(roster, run_id, self._node)
-        self._traces = Traces(roster, run_id, lambda: self._node)
+        self._traces = Traces(roster, run_id, lambda: self._node, written=self._written)
         self._traced: dict[str, None] = {}      # the topics with such a trace
         self._waited_for = set(roster.names) - {
             e.name for e in roster.diagram.externals if e.foreign}
@@ -187,6 +187,10 @@ class FlightWatch:
             for stranger in self._writers.look(begun, self._traced):
                 if stranger.counts:
                     self._note(stranger.words)
+
+    def _written(self, topic: str) -> int | None:
+        """Return how many messages the run has written on a topic that is counted."""
+        return self._page.written(COUNTED.index(topic)) if self._page.inherits else None
 
     def _look_for_traces(self, last: bool = False) -> None:
         for topic in self._traces.look(last):   # the monitor is to know of it, too

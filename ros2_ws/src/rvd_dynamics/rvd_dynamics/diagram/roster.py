@@ -40,6 +40,8 @@ RUN_TOPICS = {
 }
 # Written by any node whenever it has something to say; nobody waits for them at the start.
 COMMON = ('/run/ready', '/run/events', '/diagnostics')
+# Where a node of the run seldom writes or several do: what is written there is counted (`pulse`).
+COUNTED = ('/run/pause', '/run/end', '/run/events')
 # Where programs of any make say something, too, and no node of a run obeys.
 FOR_ALL = ('/diagnostics', '/tf', '/tf_static')
 SECOND_WRITER, ALSO_WRITES = 'SECOND_WRITER', 'ALSO_WRITES'     # events: on other topics, and there

@@ -19,7 +19,7 @@ from rclpy.publisher import Publisher
 from rclpy.serialization import serialize_message
 from std_msgs.msg import String
 
-from rvd_dynamics import lifeline
+from rvd_dynamics import compiling, lifeline
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.diagram import identity
@@ -30,7 +30,7 @@ from rvd_dynamics.diagram.ros.ending import Ending
 from rvd_dynamics.diagram.ros.node import RunNode
 from rvd_dynamics.diagram.ros.traces import Traces
 from rvd_dynamics.diagram.ros.writers import Stranger, UNKNOWN_NODE
-from rvd_dynamics.diagram.roster import MONITOR, RECORDER, Roster, SECOND_WRITER
+from rvd_dynamics.diagram.roster import COUNTED, MONITOR, RECORDER, Roster, SECOND_WRITER
 from rvd_dynamics.pulse import BEAT_S, Pulse
 from rvd_interfaces.msg import RunEvent
 
@@ -82,7 +82,8 @@ class Host:
         self.ending = Ending(self)
         self.run_id = arguments.run_id
         self._traced: list[str] = []            # topics with such a trace, where there is no page
-        self.traces = Traces(self.roster, self.run_id, lambda: self._lead)
+        self.traces = Traces(self.roster, self.run_id, lambda: self._lead,
+                             written=self._written)
 
     # -- nodes ------------------------------------------------------------------------------
 
@@ -99,10 +100,14 @@ class Host:
             self._place, self._is_told = homes.index(home), True
         else:                                   # started by hand
             self._pulse = Pulse()
+        compiling.follow(self._compiles)
         self._ready = node.writer('/run/ready', String)
         self._events = node.writer('/run/events', RunEvent)
         self._diagnostics = node.writer('/diagnostics', DiagnosticArray)
         self._barrier.wait()
+
+    def _compiles(self, begins: bool) -> None:
+        self._pulse.compile(self._place, begins, time.monotonic_ns())
 
     @property
     def lead(self) -> RunNode:
@@ -131,6 +136,8 @@ class Host:
         little later, many at a time: the ring would stand still meanwhile, and each reader be
         woken for each.
         """
+        if topic in COUNTED:
+            self._pulse.write(self._place, COUNTED.index(topic))
         keepers = self._keepers.get(topic)
         if keepers and not isinstance(message, bytes):
             message = serialize_message(message)
@@ -247,6 +254,10 @@ class Host:
                 self._traced.append(topic)
             else:
                 self.event(self._lead, SECOND_WRITER, Stranger(topic, '', False, True).words)
+
+    def _written(self, topic: str) -> int | None:
+        """Return how many messages the run has written on one of COUNTED; None by hand."""
+        return self._pulse.written(COUNTED.index(topic)) if self._is_told else None
 
     @property
     def traced(self) -> list[str]:

@@ -35,6 +35,7 @@ from rvd_dynamics.diagram.ros.boundary import Refused
 from rvd_dynamics.diagram.ros.conversions import header_at
 from rvd_dynamics.diagram.ros.horizon import Horizon
 from rvd_dynamics.diagram.ros.host import Host, message_type
+from rvd_dynamics.diagram.ros.news import News
 from rvd_dynamics.diagram.ros.node import RunNode
 from rvd_dynamics.diagram.roster import COMMON, MONITOR, RECORDER, RECORDER_LEAD
 from rvd_interfaces.msg import RunEvent
@@ -42,7 +43,6 @@ from rvd_interfaces.msg import RunEvent
 RECORDED_STEP = '/run/recorded_step'
 NOT_RECORDED = (RECORDED_STEP, '/parameter_events')     # our own, and what no run changes
 SCENARIO, VERDICT, EVENTS = '/run/scenario', '/run/verdict', '/run/events'
-FLY = 'rvd_fly'                 # whoever follows a run from outside, as a node
 MOST_BYTES = 1 << 20            # of a message at each firing: ours have a few kB
 REPORT_EVERY = 16               # [steps]
 LOOK_PERIOD_S = 1.0             # [s] wall time between two looks for new topics
@@ -79,7 +79,7 @@ class BagRecorder(RunNode):
         self._suspects: dict[str, tuple] = {}   # of each topic, what came before it was due
         self._horizon = Horizon(self.run, self.run.last_step, queue=RECORDER_LEAD + REPORT_EVERY,
                                 made=host.bound_of(*self.roster.blocks))
-        self._complained = False
+        self._complained, self._news = False, News(host)
         self._draining = None
         self._stores: dict[str, Callable] = {}
         self._steps = self.writer(RECORDED_STEP, UInt64)
@@ -188,7 +188,7 @@ class BagRecorder(RunNode):
         stepped = step_reader(kind, self.run.step_ns) is not None
         starts = stepped and topic not in COMMON
         owed, step_ns = topic in self._ledger.last, self.run.step_ns
-        paces, judges = topic == self._truth, topic == VERDICT
+        paces, judges, tells = topic == self._truth, topic == VERDICT, topic == EVENTS
 
         def store(step: int, data: bytes, sent_ns: int = 0, sequence: int = 0) -> None:
             if not stepped:
@@ -200,6 +200,8 @@ class BagRecorder(RunNode):
                 self._pending.append(message)
             else:
                 self._begin_with(message, starts)
+            if tells:
+                self._news.read(data)
             if owed:
                 self._quiet = 0
                 self._ledger.saw(topic, step)
@@ -241,12 +243,12 @@ class BagRecorder(RunNode):
         self._store_news()
         self._look_for_topics()
 
-    def _store_news(self) -> None:
-        """Store what `fly` says of the processes: they may hear nothing, this one too."""
-        for code, step, text in self.host.news():
+    def _store_news(self, last: bool = False) -> None:
+        """Store what is on the page of the run: processes may hear nothing, this one too."""
+        for node, code, step, text in self._news.take(max(self.step, 0), last):
             header = header_at(step * self.run.step_ns, self.run.frame_id)
             self._stores[EVENTS](self.step, serialize_message(RunEvent(
-                header=header, step=step, node=FLY, code=code, text=text)))
+                header=header, step=step, node=node, code=code, text=text)))
 
     def _look_for_topics(self) -> None:
         """Record topics that are not in the graph's table, viewers' topics for instance."""
@@ -302,7 +304,7 @@ class BagRecorder(RunNode):
             return
         self._clear(self.step if self.host.final_step is None else self.host.final_step)
         if EVENTS in self._stores:              # else it has not begun to listen
-            self._store_news()
+            self._store_news(last=True)
         if self._early:
             self._begin(self._early)
         self.settle()

@@ -53,7 +53,12 @@ class Stranger(NamedTuple):
     def words(self) -> str:
         """What a person is told."""
         who = f'{"another " * self.twin}node {self.node}' if self.node else NAMELESS
-        return f'a second writer on {self.topic}: {who}'
+        return f'{self.on}{who}'
+
+    @property
+    def on(self) -> str:
+        """How these words begin, whoever it is."""
+        return f'a second writer on {self.topic}: '
 
 
 class _Waiting(NamedTuple):
