@@ -10,7 +10,7 @@ from types import SimpleNamespace
 
 import pytest
 from runs import (
-    alive, end, in_flight, messages, node_pid, pids_under, rvd, start_rvd, verdict_of,
+    alive, in_flight, messages, node_pid, pids_under, rvd, verdict_of,
     wait_for)
 
 from rvd_campaign.flight import fly, supervisor, vigil
@@ -22,18 +22,9 @@ from rvd_dynamics.recording.reader import read
 
 
 @pytest.fixture
-def flying(tmp_path):
-    """Return a starter of real-time runs; what is left of them is ended by pid."""
-    started = []
-
-    def fly(*args):
-        process = start_rvd('fly', '--out', str(tmp_path / 'run'), '--headless', *args,
-                            cwd=tmp_path)
-        started.append(process)
-        return process
-    yield fly
-    for process in started:
-        end(process)
+def flying(start, tmp_path):
+    """Return a starter of flights without a display."""
+    return lambda *args: start('fly', '--out', str(tmp_path / 'run'), '--headless', *args)
 
 
 def test_ctrl_c_ends_every_process_and_leaves_a_readable_bag(flying, tmp_path):
