@@ -1,5 +1,6 @@
 """
-Blocks that share processes: the same bits, every topic out, and whatever comes from outside gets in.
+Blocks that share processes: the same bits, every topic out, and whatever comes from outside gets
+in.
 """
 
 import os

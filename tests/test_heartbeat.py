@@ -132,7 +132,8 @@ def test_a_recording_with_steps_missing_is_called_so_everywhere(flying, tmp_path
     assert held['missing']['/truth/relative_state'] == STEPS - stored
     assert set(verdict['link']['forward'].values()) == {None}
     last = said(tmp_path).splitlines()[-1]
-    assert last.startswith(f'rvd fly: the recording is incomplete: it holds {stored} of {STEPS} steps')
+    assert last.startswith('rvd fly: the recording is incomplete: '
+                           f'it holds {stored} of {STEPS} steps')
     assert 'The bag was cut off' in page(read(tmp_path / 'run'))
 
 

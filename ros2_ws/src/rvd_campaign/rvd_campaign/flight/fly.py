@@ -159,7 +159,8 @@ class Flight:
                           if not self._watch.is_written(topic)]
                 if silent:
                     return (f'the graph did not come up in {start_s:g} s: nobody publishes '
-                            f'{", ".join(silent)} with ROS_DOMAIN_ID={self._domain}: start its driver')
+                            f'{", ".join(silent)} with ROS_DOMAIN_ID={self._domain}: start its '
+                            'driver')
                 waiting = sorted(set(self._roster.names) - self._watch.ready
                                  - {e.name for e in foreign})
                 return (f'the graph did not come up in {start_s:g} s: not ready: '
