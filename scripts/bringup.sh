@@ -30,7 +30,10 @@ fi
 
 source "$here/network.sh"               # heard on this machine alone, unless somebody asks for more
 [ -r "$1" ] || { echo "bringup: cannot read scenario $1" >&2; exit 2; }
-[ $# -ge 2 ] || { echo "bringup: the run folder is missing: bringup.sh SCENARIO RUN_DIR" >&2; exit 2; }
+[ $# -ge 2 ] || {
+    echo "bringup: the run folder is missing: bringup.sh SCENARIO RUN_DIR" >&2
+    exit 2
+}
 scenario=$(realpath -- "$1"; echo .)
 scenario=${scenario%??}                 # and not the end of a name that is a line feed
 mkdir -p -- "$2/logs" || exit 2
@@ -52,7 +55,7 @@ export RVD_LEAN=${RVD_LEAN:-1} ROS_LOG_DIR=${ROS_LOG_DIR:-$run/logs}
 export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 export PYTHONSAFEPATH=1                 # no file of the working folder takes a module's place
 export RVD_PARENT=$$                    # the nodes end when this shell has gone
-STOP_S=8 BAG_S=5                        # what the others, and then the recorder, get to end in order
+STOP_S=8 BAG_S=5                    # what the others, and then the recorder, get to end in order
 declare -A name_of
 failed=0 stage=run recorder='' timer=''
 
@@ -95,14 +98,16 @@ trap 'kill -KILL $(jobs -p) 2>/dev/null' EXIT
 
 # One line a process, the recorder's last: its name, package and executable, and what it is told
 # besides the scenario. Whoever has asked the mission already (`./rvd fly`) hands the list over.
-list=${RVD_PROCESSES:-$(python3 -m rvd_dynamics.diagram.roster "$scenario" "$run" $headless)} || exit 2
+list=${RVD_PROCESSES:-$(python3 -m rvd_dynamics.diagram.roster "$scenario" "$run" $headless)} ||
+    exit 2
 while read -r name package program arguments; do
     executable "$package" "$program" >/dev/null || exit 2          # before anything has started
 done <<<"$list"
 while read -r name package program arguments; do
     [ $stage = run ] || break
     eval "own=($arguments)"
-    "$(executable "$package" "$program")" --ros-args --params-file "$scenario" "${own[@]}" >"$run/logs/$name.log" 2>&1 </dev/null &
+    "$(executable "$package" "$program")" --ros-args --params-file "$scenario" "${own[@]}" \
+        >"$run/logs/$name.log" 2>&1 </dev/null &
     name_of[$!]=$name
     say "start $name $!"
 done <<<"$list"

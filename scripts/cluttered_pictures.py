@@ -1,7 +1,8 @@
 """
 Make the pictures of docs/cluttered.md again from the folder of its campaign.
 
-    ./rvd campaign cluttered --out runs/cluttered && ./rvd shell python scripts/cluttered_pictures.py runs/cluttered
+    ./rvd campaign cluttered --out runs/cluttered
+    ./rvd shell python scripts/cluttered_pictures.py runs/cluttered
 """
 
 import sys

@@ -1,7 +1,10 @@
 """
-Fly the barrier against pilots who mean ill, on many more maps than the tests do; see docs/cluttered.md.
+Fly the barrier against pilots who mean ill, on many more maps than the tests do; see
+docs/cluttered.md.
 
-    ./rvd shell python scripts/keep_out_study.py LOST FIRST_MAP MAPS    # 0 1000 60; 1 5000 120; 2 1000 60
+    ./rvd shell python scripts/keep_out_study.py LOST FIRST_MAP MAPS
+
+with LOST FIRST_MAP MAPS of 0 1000 60, 1 5000 120 and 2 1000 60.
 """
 
 import sys

@@ -19,10 +19,12 @@ PARAMETERS = re.compile('(?<=<!-- parameters -->\n).*?(?=<!-- end of parameters 
 INTRODUCTION = '''\
 # Parameters
 
-<!-- Made by `./rvd shell python scripts/make_parameters.py` from the settings classes: edit those. -->
+<!-- Made by `./rvd shell python scripts/make_parameters.py` from the settings classes: edit those.
+-->
 
-Every parameter that a scenario of the lunar approach can set, by section of the file. What is left out keeps its default. Dots in
-a key are levels of the file: `eq25.eta` of `command_blender` is written as
+Every parameter that a scenario of the lunar approach can set, by section of the file. What is left
+out keeps its default. Dots in a key are levels of the file: `eq25.eta` of `command_blender` is
+written as
 
 ```yaml
 command_blender:
@@ -30,22 +32,26 @@ command_blender:
     eq25: {eta: 0.5}
 ```
 
-Numbers must be finite; `1` is accepted for `1.0`. What is allowed for a list holds for each of its elements.
-Some parameters must also fit each other: `uniform.high_fraction` is not below `uniform.low_fraction`. Whatever
-is not allowed is refused before anything starts, in one line that names key and value. A running node says the
-same about its parameters: `ros2 param describe /command_blender eq25.eta`.
+Numbers must be finite; `1` is accepted for `1.0`. What is allowed for a list holds for each of its
+elements. Some parameters must also fit each other: `uniform.high_fraction` is not below
+`uniform.low_fraction`. Whatever is not allowed is refused before anything starts, in one line that
+names key and value. A running node says the same about its parameters:
+`ros2 param describe /command_blender eq25.eta`.
 '''
 
 
 def sections() -> dict[str, list[tuple[str, type]]]:
-    """Return the settings classes of each section of a scenario, with the prefixes of their keys."""
+    """
+    Return the settings classes of each section of a scenario, with the prefixes of their keys.
+    """
     return sections_of(find('lunar_approach'))
 
 
 def page() -> str:
     """Return the text of docs/parameters.md; sections with the same settings share a table."""
     parts, found = [INTRODUCTION], sections()
-    parts.append(f'\n## `{SHARED}`\n\nWhat several nodes must know. It stands here and nowhere else.\n')
+    parts.append(f'\n## `{SHARED}`\n\n'
+                 'What several nodes must know. It stands here and nowhere else.\n')
     for prefix, cls in found.pop(SHARED):
         parts.append(f'\n{summary(cls)}\n\n{table(prefix, cls)}')
     titles: dict[type, list[str]] = {}

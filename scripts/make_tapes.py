@@ -38,8 +38,8 @@ def write(name: str, meaning: str, stick: StickParams, t_s, levels) -> None:
     axes = np.array([stick_axes(row / HIGHEST, True, stick)[0] for row in levels])
     moved = np.append(True, np.any(np.diff(axes, axis=0), axis=1))
     rows = [(t, *row) for t, row, new in zip(t_s, axes, moved) if new] + [(END_S, *axes[-1])]
-    lines = [f'# {meaning}',
-             ','.join(['t_s'] + [f'axis_{i}' for i in range(5)] + [f'button_{i}' for i in range(5)])]
+    head = ['t_s'] + [f'axis_{i}' for i in range(5)] + [f'button_{i}' for i in range(5)]
+    lines = [f'# {meaning}', ','.join(head)]
     lines += [','.join(f'{value:.9g}' for value in row) + ',0,0,0,0,1' for row in rows]
     (ROOT / 'tapes' / f'{name}.csv').write_text('\n'.join(lines) + '\n', encoding='utf-8')
 

@@ -1,6 +1,6 @@
 """
-Make the pictures of docs/missions/tether_delay.md again, from a flight in process and the folder of a
-campaign.
+Make the pictures of docs/missions/tether_delay.md again, from a flight in process and the folder of
+a campaign.
 
     ./rvd shell python scripts/make_tether_delay_pictures.py CAMPAIGN_FOLDER
 """

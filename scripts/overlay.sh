@@ -1,5 +1,5 @@
-# Load the packages of RVD_OVERLAY beside the workspace. Sourced by `rvd` and `scripts/shellrc`, after
-# env.sh.
+# Load the packages of RVD_OVERLAY beside the workspace. Sourced by `rvd` and `scripts/shellrc`,
+# after env.sh.
 #
 # RVD_OVERLAY holds install folders, separated by colons, as `colcon build` makes them: a whole one,
 # isolated or merged, or that of one package. As in PATH, the first has the first word, and all of
@@ -21,14 +21,15 @@ load_overlay() {
         prefix=$(CDPATH= cd -- "$prefix" && pwd)      # a command may change the working directory
         if ! compgen -G "$prefix/share/ament_index/resource_index/packages/*" > /dev/null &&
             ! compgen -G "$prefix/*/share/ament_index/resource_index/packages/*" > /dev/null; then
-            printf 'rvd: RVD_OVERLAY: %s holds no package: give the install folder of a colcon build\n' \
-                "$prefix" >&2
+            printf 'rvd: RVD_OVERLAY: %s holds no package: %s\n' "$prefix" \
+                'give the install folder of a colcon build' >&2
             return 2
         fi
         scripts=("$prefix/local_setup.bash")
         [[ -r ${scripts[0]} ]] || scripts=("$prefix"/share/*/package.bash)     # of one package
         if [[ ! -r ${scripts[0]} ]]; then
-            printf 'rvd: RVD_OVERLAY: %s has no local_setup.bash: build it with colcon\n' "$prefix" >&2
+            printf 'rvd: RVD_OVERLAY: %s has no local_setup.bash: build it with colcon\n' \
+                "$prefix" >&2
             return 2
         fi
         for script in "${scripts[@]}"; do

@@ -53,7 +53,7 @@ PYTHON
 # the first complete candidate, else the first that is supported, else nothing.
 find_python() {
     local candidate base gaps candidates=(python3 python3.12 python3.11 python3.13 python3.10)
-    [[ $ros != wheels ]] && candidates=(/usr/bin/python3 python3)       # the one that ROS is built for
+    [[ $ros != wheels ]] && candidates=(/usr/bin/python3 python3)   # the one that ROS is built for
     [[ -n $installed ]] && candidates+=(/usr/bin/python3)
     [[ -n ${RVD_PYTHON:-} ]] && candidates=("$RVD_PYTHON")
     python='' lacks=''
@@ -66,7 +66,8 @@ find_python() {
 }
 
 check_machine() {
-    [[ $(uname -s) == Linux ]] || die "Linux is needed, this is $(uname -s): use docker/compose.yaml"
+    [[ $(uname -s) == Linux ]] ||
+        die "Linux is needed, this is $(uname -s): use docker/compose.yaml"
     if [[ $ros == wheels && $(uname -m) != x86_64 ]]; then
         die "without ROS 2 Jazzy installed only x86_64 is supported, this is $(uname -m):" \
             'install ros-jazzy-ros-base, or use docker/compose.yaml'
@@ -122,8 +123,9 @@ install_from_the_system() {
 
 # ---------------------------------------------------------------------------- progress by stage
 
-# stage NAME LABEL COMMAND...: run the command with its output in .rvd/log/NAME.log and show the time
-# it takes, on a terminal with the last line of the log. If it fails, show the end of the log and exit.
+# stage NAME LABEL COMMAND...: run the command with its output in .rvd/log/NAME.log and show the
+# time it takes, on a terminal with the last line of the log. If it fails, show the end of the log
+# and exit.
 stage() {
     local name=$1 label=$2 log=$state/log/$1.log start=$SECONDS reporter status
     shift 2
@@ -162,8 +164,9 @@ report_progress() {
 
 pip() {
     # The machine's settings may choose the index, but not what is installed, or where.
-    env -u PIP_TARGET -u PIP_PREFIX -u PIP_ROOT -u PIP_REQUIREMENT -u PIP_EDITABLE -u PIP_NO_BINARY \
-        -u PIP_ONLY_BINARY PIP_CONSTRAINT=/dev/null PIP_USER=0 PIP_DISABLE_PIP_VERSION_CHECK=1 \
+    env -u PIP_TARGET -u PIP_PREFIX -u PIP_ROOT -u PIP_REQUIREMENT -u PIP_EDITABLE \
+        -u PIP_NO_BINARY -u PIP_ONLY_BINARY \
+        PIP_CONSTRAINT=/dev/null PIP_USER=0 PIP_DISABLE_PIP_VERSION_CHECK=1 \
         "$venv/bin/python" -m pip "$@"
 }
 
@@ -176,8 +179,8 @@ create_environment() {
     printf '%s\n' "${RVD_PYTHON:-}" "$python" > "$state/python"
 }
 
-# install TOOL FILE: install exactly the entries of a lock file into $venv; `uv`: that of $venv, or of
-# the Python $uv.
+# install TOOL FILE: install exactly the entries of a lock file into $venv; `uv`: that of $venv, or
+# of the Python $uv.
 install() {
     local tool=("$1") into=()
     [[ $1 == uv ]] && into=(--python "$venv/bin/python") &&
@@ -190,9 +193,11 @@ install_packages() {
     if [[ $ros == wheels ]]; then
         cp "$root/requirements.lock" "$lock"
     else
-        (load_underlay && "$python" "$root/scripts/lock_beside_ros.py" "$root/requirements.lock") > "$lock"
+        (load_underlay &&
+            "$python" "$root/scripts/lock_beside_ros.py" "$root/requirements.lock") > "$lock"
     fi
-    # First come the tools that install the rest: uv, and setuptools for the one entry without a wheel.
+    # First come the tools that install the rest: uv, and setuptools for the one entry without a
+    # wheel.
     awk '/^[A-Za-z]/ { tool = /^(uv|setuptools)==/ } tool' "$lock" > "$tools"
     install pip "$tools"
     # uv takes a third of pip's time, but does not know an index that is configured for pip.
@@ -254,7 +259,8 @@ build_workspace() {
 
 # --------------------------------------------------------------------------------- environment
 
-# Print the variables that loading ROS and the workspace sets from nothing: NAME=value, NUL-terminated.
+# Print the variables that loading ROS and the workspace sets from nothing: NAME=value,
+# NUL-terminated.
 loaded_variables() {
     env -i HOME="${HOME:-/}" PATH=/usr/bin:/bin bash --noprofile --norc -c '
         [[ $1 == wheels ]] && export AMENT_PREFIX_PATH=$2/venv CMAKE_PREFIX_PATH=$2/venv
@@ -359,11 +365,13 @@ set_up() {
     if [[ $before != "$packages" ]] || ! same_python; then
         why='first use'
         [[ -d $venv ]] && why='the last set-up was interrupted'
-        [[ -n $before ]] && why='the lock file, ROS, the Python or the location of the project changed'
+        [[ -n $before ]] &&
+            why='the lock file, ROS, the Python or the location of the project changed'
         [[ -n $again ]] && why='requested'
         say "setting up in $state ($why): takes a minute or two and 1.7 GB"
         stage environment "making the environment ($("$python" -V 2>&1))" create_environment
-        stage packages "installing $(grep -c '^[A-Za-z]' "$root/requirements.lock") pinned packages" \
+        stage packages \
+            "installing $(grep -c '^[A-Za-z]' "$root/requirements.lock") pinned packages" \
             install_packages
         echo "$packages" > "$venv/complete"
     fi

@@ -48,8 +48,8 @@ build_inputs() {
     sha256sum "${files[@]}"
 }
 
-# Set `sources` to what colcon builds: the workspace, and from ros2_extra/ the packages of ROS 2 that
-# are not among its wheels, unless the ROS in use brings them: what is of ROS is never hidden.
+# Set `sources` to what colcon builds: the workspace, and from ros2_extra/ the packages of ROS 2
+# that are not among its wheels, unless the ROS in use brings them: what is of ROS is never hidden.
 find_sources() {
     local package prefix prefixes=()
     [[ $ros == /* ]] && prefixes=("$ros")

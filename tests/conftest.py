@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 from console_page import chromium, FLAGS, playwright, web_sources
-from runs import rvd
+from runs import end, rvd, start_rvd
 
 
 class Flown:
@@ -27,6 +27,19 @@ def rough_flight(tmp_path_factory) -> Flown:
     """Every fault of the link switched on, two-body truth left alone, in lock step."""
     return Flown(tmp_path_factory.mktemp('rough') / 'run', 'rough_link', '--pace', 'lockstep',
                  '--seed', '11', '--headless')
+
+
+@pytest.fixture
+def start(tmp_path):
+    """Return a starter of `rvd ARGS` in the folder of the test; what is left is ended by pid."""
+    started = []
+
+    def start_one(*args):
+        started.append(start_rvd(*args, cwd=tmp_path))
+        return started[-1]
+    yield start_one
+    for process in started:
+        end(process)
 
 
 @pytest.fixture(scope='module')

@@ -16,7 +16,8 @@ BAD = {
     'pace in words': (['fly', '--pace', 'brisk'], 'brisk'),
     'pace not positive': (['fly', '--pace', '0'], 'pace_factor must be between'),
     'pace not a number': (['fly', '--pace', 'nan'], 'pace_factor must be between'),
-    'negative seed': (['fly', '--seed', '-1'], 'seed must be between 0 and 9223372036854775807, got -1'),
+    'negative seed': (['fly', '--seed', '-1'],
+                      'seed must be between 0 and 9223372036854775807, got -1'),
     'seed not whole': (['fly', '--seed', '1.5'], '1.5'),
     'replay without tape': (['fly', '--operator', 'replay'], '--tape'),
     'tape without replay': (['fly', '--operator', 'model', '--tape', 'x'], '--operator replay'),
@@ -31,7 +32,8 @@ BAD = {
     'figures into nowhere': (['bench', 'loop', '--out', 'no/such.json'], 'no is no folder'),
     'pilot into nowhere': (['calibrate', '--out', 'no/such.yaml'], 'no is no folder'),
     'stick into nowhere': (['stick', '--write', 'no/such.yaml'], 'no is no folder'),
-    'session without a console': (['fly', '--session', 'x'], '--session goes with --operator console'),
+    'session without a console': (['fly', '--session', 'x'],
+                                  '--session goes with --operator console'),
     'certificate without a console': (['fly', '--tls-cert', 'x'], '--tls-cert goes with'),
     'report of nothing': (['report', 'nowhere'], 'nowhere'),
     'list of nothing': (['list', 'moons'], 'moons'),
@@ -57,11 +59,13 @@ SCENARIOS = {
                           'stick.layout is given twice'),
     'empty mapping': ('"/**": {ros__parameters: {seed: {}}}', 'seed holds nothing'),
     'bomb': ('a: &a [1]\nb: [*a, *a]', 'aliases'),
-    'gain of the wrong sign': ('auto_controller: {ros__parameters: {law: odrrca, odrrca: {k: 0.5}}}',
+    'gain of the wrong sign': ('auto_controller: {ros__parameters: '
+                               '{law: odrrca, odrrca: {k: 0.5}}}',
                                'odrrca.k must be negative: the range follows exp(k n t)'),
     'attraction that repels': ('auto_controller: {ros__parameters: {safe_apf: {attraction: -1.0}}}',
                                'safe_apf.attraction must be above 0 and at most 100, got -1.0'),
-    'aim before the plane': ('auto_controller: {ros__parameters: {safe_apf: {aim: {beyond_m: -1}}}}',
+    'aim before the plane': ('auto_controller: {ros__parameters: '
+                             '{safe_apf: {aim: {beyond_m: -1}}}}',
                              'safe_apf.aim.beyond_m must be between 0 and 1000, got -1'),
     'bad link file': ('link_back: {ros__parameters: {model: empirical, empirical: {file: nil}}}',
                       'nil cannot be read'),
@@ -123,7 +127,8 @@ def test_bad_domain_is_refused(tmp_path, monkeypatch):
 
 @pytest.mark.parametrize('name, value', [('ROS_DOMAIN_ID', '999'), ('ROS_DOMAIN_ID', '9'*5000),
                                          ('RMW_IMPLEMENTATION', 'rmw_nil')])
-def test_a_stick_of_a_topic_is_looked_for_in_a_sound_environment(name, value, tmp_path, monkeypatch):
+def test_a_stick_of_a_topic_is_looked_for_in_a_sound_environment(
+        name, value, tmp_path, monkeypatch):
     monkeypatch.setattr('runs.environment', lambda: {**os.environ, name: value})
     refused(rvd('stick', '--topic', '/joy', '--once', cwd=tmp_path), name)
 

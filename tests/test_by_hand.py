@@ -46,7 +46,9 @@ class Hand:
             env=self.environment, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
 
     def start_ring(self, but=(), waits=False):
-        """Start the blocks of the scenario, or their groups; `waits`: they stand still till `go`."""
+        """
+        Start the blocks of the scenario, or their groups; `waits`: they stand still till `go`.
+        """
         self.roster = Roster(load(self.scenario))
         told = ['-p', f'nodes:=[{",".join((*self.roster.names, ME))}]'] if waits else []
         if waits:

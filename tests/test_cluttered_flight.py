@@ -7,7 +7,8 @@ from runs import flown_again
 
 COMPARED = {                            # by signal: its part, and the column of the bag's series
     '/truth/relative_state': {'state': 'state', 'acceleration': 'accel'},
-    '/onboard/thruster_command': {'command': 'levels'}, '/ground/auto_command': {'command': 'levels'}}
+    '/onboard/thruster_command': {'command': 'levels'},
+    '/ground/auto_command': {'command': 'levels'}}
 NOT_FLYABLE = """
 /**:
   ros__parameters:

@@ -66,7 +66,8 @@ def test_a_pad_without_a_standard_mapping_flies_only_when_it_has_been_set_up(pag
     state = push(page, f'pads[0].axes[{sticks[0]}] = 1')
     assert state['at'] == [0, 0, 0] and page.evaluate('rvd.stick.source') == 'keyboard'
     assert 'must be set up' in text(page, '#notes')
-    push(page, f'pads[0].axes[{sticks[0]}] = 0; pads[0].buttons.forEach((b) => (b.pressed = false))')
+    push(page,
+         f'pads[0].axes[{sticks[0]}] = 0; pads[0].buttons.forEach((b) => (b.pressed = false))')
 
     page.keyboard.press('g')
     assert 'no standard mapping' in text(page) and 'does not fly' in text(page)
@@ -160,7 +161,8 @@ def test_an_axis_that_is_not_at_rest_when_the_stick_is_taken_does_not_fly(page, 
 
 
 def test_what_was_remembered_and_makes_no_sense_is_as_if_nothing_had_been(page):
-    for stored in ('{"pads": {"Xbox (STANDARD GAMEPAD)": {"axes": {"x": {"axis": "a"}}}}}', '[', '7',
+    for stored in ('{"pads": {"Xbox (STANDARD GAMEPAD)": {"axes": {"x": {"axis": "a"}}}}}', '[',
+                   '7',
                    '{"chosen": 3, "pads": [null], "deadZone": "wide"}', 'null'):
         page.evaluate('(text) => localStorage.setItem("rvd.stick", text)', stored)
         page.reload()

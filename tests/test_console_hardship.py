@@ -9,7 +9,8 @@ from toy_console import ToyConsole, VERDICT, WaitingConsole
 
 pytestmark = pytest.mark.slow
 NO_WEBGL = ['--no-sandbox', '--disable-gpu', '--disable-webgl', '--disable-3d-apis']
-FULL = """Storage.prototype.setItem = () => { throw new DOMException('full', 'QuotaExceededError'); }"""
+FULL = ('Storage.prototype.setItem = '
+        "() => { throw new DOMException('full', 'QuotaExceededError'); }")
 LOSE = """(() => { document.querySelector('#gl').getContext('webgl2')
     .getExtension('WEBGL_lose_context').loseContext(); })()"""
 

@@ -33,7 +33,7 @@ def test_the_graph_flies_to_the_last_bit_as_the_loop_in_one_process(processes, t
                   '--seed', '5', '--headless')
     assert flown.code == 1, flown.err                       # time is up before it has settled
     scenario = parse((tmp_path / 'run' / 'scenario.yaml').read_text(), 'flown')
-    assert scenario.run.pace == 'lockstep'                  # the scenario's own: no --pace was given
+    assert scenario.run.pace == 'lockstep'                 # the scenario's own: no --pace was given
     history = fly(scenario, [0], record=True).history
     truth = states(tmp_path / 'run', '/truth/relative_state')
     assert len(truth) == 201
@@ -45,7 +45,8 @@ def test_the_graph_flies_to_the_last_bit_as_the_loop_in_one_process(processes, t
 
 
 def test_one_case_of_a_limit_cycle_is_printed_as_json(tmp_path):
-    done = rvd('limit-cycles', '--json', '--law', 'odrrca', '--form', 'r1', '--e', '0.1', '--k', '-0.5',
+    done = rvd('limit-cycles', '--json', '--law', 'odrrca', '--form', 'r1', '--e', '0.1', '--k',
+               '-0.5',
                '--k1', '1', '--k2', '0', '--q', '10', '--phi-d-deg', '-90', cwd=tmp_path)
     assert done.returncode == 0 and done.stderr == ''
     found = json.loads(done.stdout)

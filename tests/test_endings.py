@@ -10,7 +10,7 @@ from types import SimpleNamespace
 
 import pytest
 from runs import (
-    alive, end, in_flight, messages, node_pid, pids_under, rvd, start_rvd, verdict_of,
+    alive, in_flight, messages, node_pid, pids_under, rvd, verdict_of,
     wait_for)
 
 from rvd_campaign.flight import fly, supervisor, vigil
@@ -23,18 +23,9 @@ from rvd_dynamics.recording.reader import read
 
 
 @pytest.fixture
-def flying(tmp_path):
-    """Return a starter of real-time runs; what is left of them is ended by pid."""
-    started = []
-
-    def fly(*args):
-        process = start_rvd('fly', '--out', str(tmp_path / 'run'), '--headless', *args,
-                            cwd=tmp_path)
-        started.append(process)
-        return process
-    yield fly
-    for process in started:
-        end(process)
+def flying(start, tmp_path):
+    """Return a starter of flights without a display."""
+    return lambda *args: start('fly', '--out', str(tmp_path / 'run'), '--headless', *args)
 
 
 def test_ctrl_c_ends_every_process_and_leaves_a_readable_bag(flying, tmp_path):
@@ -65,7 +56,9 @@ def test_a_killed_node_is_named_and_the_run_ends_with_2(victim, flying, tmp_path
     ('auto_controller', 'paper'), ('link_back', 'paper'), ('bag_recorder', 'paper'),
     ('operator_model', 'barrier')])             # there the law waits for the stick, too
 def test_a_hung_node_is_named_and_the_run_ends_with_2(victim, scenario, flying, tmp_path):
-    """In lock step all stand still together: who is stopped is told at once, the run given up later."""
+    """
+    In lock step all stand still together: who is stopped is told at once, the run given up later.
+    """
     process = flying(scenario, '--pace', 'lockstep')
     pid = node_pid(process.pid, victim)
     in_flight(tmp_path / 'run', 50)
@@ -254,7 +247,8 @@ def test_a_recorder_that_still_writes_is_waited_for(monkeypatch, tmp_path, capsy
     assert len(looks) == 20 and capsys.readouterr().err == ''
 
 
-@pytest.mark.parametrize('does, given_up_s', [('time.sleep(60)', 0.6), ('while True:\n    pass', 2.5)])
+@pytest.mark.parametrize('does, given_up_s',
+                         [('time.sleep(60)', 0.6), ('while True:\n    pass', 2.5)])
 def test_a_process_that_computes_is_given_longer_than_one_that_hangs(
         does, given_up_s, monkeypatch):
     """A first use compiles for longer than a step may take, with other programs about."""

@@ -174,7 +174,8 @@ def test_what_nobody_can_write_to_is_one_line(places, command, line):
         ['unshare', '--mount', '--propagation', 'private', 'sh', '-c',
          f'{mounts} cd {NOWHERE} && echo ready && exec {project}/rvd {command}'],
         env={name: value for name, value in environment().items()
-             if name not in ('TMPDIR', 'TEMP', 'TMP')}, capture_output=True, text=True, timeout=60.0)
+             if name not in ('TMPDIR', 'TEMP', 'TMP')}, capture_output=True, text=True,
+             timeout=60.0)
     if 'ready' not in done.stdout:
         pytest.skip('no right to mount')
     said = done.stderr.splitlines()

@@ -1,5 +1,6 @@
 """
-Blocks that share processes: the same bits, every topic out, and whatever comes from outside gets in.
+Blocks that share processes: the same bits, every topic out, and whatever comes from outside gets
+in.
 """
 
 import os
@@ -12,7 +13,7 @@ from mcap.records import Channel, Footer, Message, Schema
 import numpy as np
 import pytest
 from conftest import Flown
-from runs import alive, counts, end, in_flight, node_pid, ROOT, start_rvd, verdict_of, wait_for
+from runs import alive, counts, in_flight, node_pid, ROOT, verdict_of, wait_for
 from test_by_hand import Hand
 from test_recording import columns
 from test_repeat import assert_equals_loop
@@ -242,19 +243,14 @@ def test_an_abort_and_a_change_of_mode_fly_as_in_process_when_they_come_in_the_s
 # -- endings -----------------------------------------------------------------------------------
 
 @pytest.fixture
-def flying(tmp_path):
-    """Return a starter of runs; what is left of them is ended by pid."""
-    started = []
-
-    def start(processes, *args):
-        process = start_rvd('fly', '--out', str(tmp_path / 'run'), '--headless', '--processes',
-                            processes, *(args or ('--pace', '5')), cwd=tmp_path)
-        started.append(process)
+def flying(start, tmp_path):
+    """Return a starter of runs, which waits until they are in flight."""
+    def fly(processes, *args):
+        process = start('fly', '--out', str(tmp_path / 'run'), '--headless', '--processes',
+                        processes, *(args or ('--pace', '5')))
         in_flight(tmp_path / 'run')
         return process
-    yield start
-    for process in started:
-        end(process)
+    return fly
 
 
 def steps_in(run):

@@ -12,7 +12,7 @@ import time
 
 from diagnostic_msgs.msg import DiagnosticArray
 import pytest
-from runs import alive, end, in_flight, node_pid, start_rvd, states, verdict_of, wait_for
+from runs import alive, in_flight, node_pid, states, verdict_of, wait_for
 from test_by_hand import Hand
 
 from rvd_campaign.report.run import page
@@ -27,19 +27,11 @@ IN_FLIGHT = ('spacecraft_dynamics', 'relative_sensor', 'link_back', 'state_predi
 
 
 @pytest.fixture
-def flying(tmp_path):
-    """Return a starter of flights in real time; what is left of them is ended by pid."""
-    started = []
-
-    def fly(*args):
-        (tmp_path / 's.yaml').write_text(SCENARIO)
-        process = start_rvd('fly', str(tmp_path / 's.yaml'), '--out', str(tmp_path / 'run'), *args,
-                            cwd=tmp_path)
-        started.append(process)
-        return process
-    yield fly
-    for process in started:
-        end(process)
+def flying(start, tmp_path):
+    """Return a starter of flights of the scenario."""
+    (tmp_path / 's.yaml').write_text(SCENARIO)
+    return lambda *args: start('fly', str(tmp_path / 's.yaml'), '--out', str(tmp_path / 'run'),
+                               *args)
 
 
 def said(folder):
@@ -144,7 +136,8 @@ def test_a_recording_with_steps_missing_is_called_so_everywhere(flying, tmp_path
     assert held['missing']['/truth/relative_state'] == STEPS - stored
     assert set(verdict['link']['forward'].values()) == {None}
     last = said(tmp_path).splitlines()[-1]
-    assert last.startswith(f'rvd fly: the recording is incomplete: it holds {stored} of {STEPS} steps')
+    assert last.startswith('rvd fly: the recording is incomplete: '
+                           f'it holds {stored} of {STEPS} steps')
     assert 'The bag was cut off' in page(read(tmp_path / 'run'))
 
 

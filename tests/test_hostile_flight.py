@@ -31,7 +31,9 @@ SCENARIO = '/**: {ros__parameters: {pace: %s, pace_factor: 20.0, processes: %s}}
 
 
 def hostile_one(kind, seed, now):
-    """Return a message, or bytes, that no reader can take for one of this run; None: for once not."""
+    """
+    Return a message, or bytes, that no reader can take for one of this run; None: for once not.
+    """
     message = kind()
     if seed % 3 == 0:
         data = hostile.broken(serialize_message(message), seed)

@@ -34,7 +34,8 @@ def test_the_node_predicts_as_if_the_command_had_been_there(aborted, tmp_path):
     s = load(scenario)
     try:
         predicted = hand.listen('/ground/prediction', RelativeState)
-        frames, commands = (hand.node.create_publisher(kind, topic, qos.of(topic)) for topic, kind in (
+        frames, commands = (hand.node.create_publisher(kind, topic, qos.of(topic)) for topic,
+                            kind in (
             ('/ground/telemetry', LinkFrame), ('/ground/command', ThrustCommand)))
         hand.start('state_predictor', '-p', 'nodes:=[state_predictor]', package='rvd_groundstation')
         hand.until(lambda: frames.get_subscription_count() and commands.get_subscription_count(),

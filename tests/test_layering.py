@@ -35,7 +35,8 @@ NOT_GROUND = [*WORLD, *ONBOARD, *(f'rvd_dynamics.link.{part}' for part in (
     'models', 'plan', 'play_out', 'channel', 'leg'))]
 RUNTIME = ['rvd_dynamics.diagram.ros']          # runs blocks of any segment
 # The console's server deals with pages, which live by the wall clock; so do files and devices.
-NO_MATHEMATICS = ['rvd_groundstation.console', 'rvd_groundstation.joystick', 'rvd_dynamics.recording', *MAY_IMPORT_ROS]
+NO_MATHEMATICS = ['rvd_groundstation.console', 'rvd_groundstation.joystick',
+                  'rvd_dynamics.recording', *MAY_IMPORT_ROS]
 STREAMS = ['rvd_dynamics.diagram.streams', 'rvd_dynamics.diagram.seeding']
 
 

@@ -1,5 +1,8 @@
-"""A node's memory does not grow with the messages that pass through it: two legs of the link, one of
-which is made to leak 100 bytes a message, so that what is measured is known to show."""
+"""
+A node's memory does not grow with the messages that pass through it: two legs of the link.
+
+One of them is made to leak 100 bytes a message, so that what is measured is known to show.
+"""
 
 import os
 import subprocess

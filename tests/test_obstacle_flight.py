@@ -26,7 +26,8 @@ spacecraft_dynamics:
       velocity_m_s: [0.0067, 0.0084, -0.011, 0.0, 0.0, 0.0]
     scatter: {position_m: 0.3, velocity_m_s: 0.003, obstacle_m: 0.1}
 relative_sensor:
-  ros__parameters: {position_sigma_m: 0.02, velocity_sigma_m_s: 0.001, obstacle_position_sigma_m: 0.05}
+  ros__parameters: {position_sigma_m: 0.02, velocity_sigma_m_s: 0.001,
+                    obstacle_position_sigma_m: 0.05}
 link_back:
   ros__parameters: {loss_fraction: 0.1}
 link_forward:

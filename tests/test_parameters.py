@@ -77,7 +77,8 @@ def test_the_page_is_the_one_that_the_generator_makes():
         './rvd shell python scripts/make_parameters.py')
 
 
-@pytest.mark.parametrize('path', sorted(SCRIPT['MISSIONS'].glob('*.md')), ids=lambda path: path.stem)
+@pytest.mark.parametrize('path', sorted(SCRIPT['MISSIONS'].glob('*.md')),
+                         ids=lambda path: path.stem)
 def test_the_page_of_a_mission_has_the_parameters_that_it_alone_has(path):
     text = path.read_text(encoding='utf-8')
     assert path.stem == 'lunar_approach' or SCRIPT['PARAMETERS'].search(text)

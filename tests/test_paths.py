@@ -11,7 +11,8 @@ from rvd_dynamics.diagram.ros.arguments import parsed
 from rvd_dynamics.diagram.roster import scalar
 from rvd_dynamics.diagram.scenario import load
 
-NAMES = ['/a #b', "/it's \"q\": $HOME `id` *x", '/d\u00e9j\u00e0 \u2713 \U0001f680\u2028z', '/a: {b, [c]}',
+NAMES = ['/a #b', "/it's \"q\": $HOME `id` *x", '/d\u00e9j\u00e0 \u2713 \U0001f680\u2028z',
+         '/a: {b, [c]}',
          '~', 'y', 'Off', '1e3', '0x10', '.5', '-nan', '123', '', ' ', '# x', '/two\nlines', 'a:=b',
          "'", '/tab\there', '/' + 'long name ' * 20]
 SHORT = '/**:\n  ros__parameters: {step_s: 0.5, timeout_s: 0.5}\n'

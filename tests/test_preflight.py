@@ -23,7 +23,8 @@ CANNOT = [
 
 
 @pytest.mark.parametrize('name, value, remedy', CANNOT)
-def test_a_variable_that_keeps_nodes_apart_is_refused_with_the_remedy(name, value, remedy, tmp_path):
+def test_a_variable_that_keeps_nodes_apart_is_refused_with_the_remedy(
+        name, value, remedy, tmp_path):
     begun = time.monotonic()
     done = subprocess.run(command('fly', '--out', str(tmp_path / 'run')), cwd=tmp_path,
                           env={**environment(), name: value}, capture_output=True, text=True)

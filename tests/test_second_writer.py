@@ -11,7 +11,7 @@ import pytest
 from rclpy.context import Context
 from rclpy.node import Node
 from rclpy.serialization import serialize_message
-from runs import end, in_flight, messages, ROOT, start_rvd, verdict_of, wait_for
+from runs import in_flight, messages, ROOT, verdict_of, wait_for
 from std_msgs.msg import Bool, UInt64
 from test_by_hand import Hand
 
@@ -39,22 +39,17 @@ DOCKED = Verdict(step=9, final=True, success=True, reason='docked', words='docke
 
 
 @pytest.fixture
-def flying(tmp_path, monkeypatch):
+def flying(start, monkeypatch):
     """Return a starter of flights in real time, in a domain that this test knows."""
     with reserved_domain() as number:
         domain = int(number)
     monkeypatch.setattr('runs.environment', lambda: {
         **os.environ, 'RVD_ROOT': str(ROOT), 'ROS_DOMAIN_ID': str(domain)})
-    started = []
 
-    def start(*args):
-        started.append(start_rvd('fly', '--headless', '--pace', '2', '--out', 'run', *args,
-                                 cwd=tmp_path))
-        return started[-1]
-    start.domain = domain
-    yield start
-    for process in started:
-        end(process)
+    def fly(*args):
+        return start('fly', '--headless', '--pace', '2', '--out', 'run', *args)
+    fly.domain = domain
+    return fly
 
 
 class Forger:

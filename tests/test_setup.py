@@ -21,8 +21,8 @@ import pytest
 from rvd_campaign import cli
 
 ROOT = Path(__file__).resolve().parents[1]
-TOOLS = ('awk bash cat comm cp cut date dirname env find flock grep kill ls mkdir mv readlink rm sed '
-         'sha256sum sh sleep sort tail tr true uname').split()
+TOOLS = ('awk bash cat comm cp cut date dirname env find flock grep kill ls mkdir mv readlink rm '
+         'sed sha256sum sh sleep sort tail tr true uname').split()
 PYTHONS = ['3.10', '3.11', '3.12', '3.13']
 
 
@@ -108,7 +108,8 @@ def test_help_lists_the_commands_without_setting_up(project):
 
 def test_every_command_in_python_is_passed_on():
     commands = next(action.choices for action in cli.parser()._actions if action.dest == 'command')
-    listed = re.search(r'^    ([a-z| -]+)\)\n +load\n(?:.*\n){1,3} +exec .*python -m rvd_campaign.cli',
+    listed = re.search(r'^    ([a-z| -]+)\)\n +load\n(?:.*\n){1,3}'
+                       r' +exec .*python -m rvd_campaign.cli',
                        (ROOT / 'rvd').read_text(), re.MULTILINE).group(1)
     assert set(listed.split(' | ')) == set(commands)
 

@@ -45,7 +45,7 @@ def test_a_run_that_stood_still_flies_to_its_end(tmp_path, who):
     assert ('stood still for 12 s of wall time; simulation time goes on' in said) == \
         (who == 'the computer')
     assert verdict_of(tmp_path / 'run')['reason'] == 'timeout'
-    assert len(states(tmp_path / 'run', '/truth/relative_state')) == 25     # of 0.5 s, none left out
+    assert len(states(tmp_path / 'run', '/truth/relative_state')) == 25    # of 0.5 s, none left out
 
 
 @pytest.mark.slow

@@ -51,7 +51,8 @@ def test_a_picture_shows_axes_buttons_and_levels():
     (None, 'no stick: it is unplugged, or nothing has come for 0.5 s'),
     (Reading((0.0,)*3, HELD), 'does not count: axis 4 (z) is not there: Joy has 3 axes'),
     (Reading((0.0,)*5, (0,)*5), 'does not count: dead-man button 4 is not held'),
-    (Reading((0.0, float('nan'), 0.0, 0.0, 0.0), HELD), 'does not count: axis 1 (x) is not a number')])
+    (Reading((0.0, float('nan'), 0.0, 0.0, 0.0), HELD),
+     'does not count: axis 1 (x) is not a number')])
 def test_a_stick_that_does_not_count_says_why(reading, why):
     assert stick.lines(reading, StickParams(), 'pad')[-1] == why
 

@@ -1,7 +1,8 @@
 """
 A mission in somebody else's package, outside the workspace: built, flown, recorded, reported.
 
-It is the package of docs/extending.md, copied to a folder of its own and built there as the page says.
+It is the package of docs/extending.md, copied to a folder of its own and built there as the page
+says.
 """
 
 from contextlib import contextmanager
@@ -265,7 +266,8 @@ def numbers(run: Path, topic: str) -> np.ndarray:
 
 @pytest.mark.slow
 def test_it_is_found_through_its_entry_point(stranger):
-    with_it, without = stranger.rvd('list', 'missions'), stranger.rvd('list', 'missions', overlay='')
+    with_it = stranger.rvd('list', 'missions')
+    without = stranger.rvd('list', 'missions', overlay='')
     assert re.search(r'^one_axis +A craft comes to rest', with_it.stdout, re.M)
     assert 'one_axis' not in without.stdout and 'lunar_approach' in without.stdout
 

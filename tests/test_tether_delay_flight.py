@@ -1,4 +1,4 @@
-"""The tethered gripper behind a link over DDS: the bits of the loop in one process, and one-line refusals."""
+"""The tethered gripper behind a link over DDS: the bits of one process, and one-line refusals."""
 
 import json
 

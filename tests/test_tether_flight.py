@@ -61,14 +61,17 @@ def test_a_plan_that_cannot_be_made_is_one_line_and_exit_code_2(tmp_path):
 
 
 BAD = {                                         # changes under /**; what the line must say
-    'slack': ({'tether__least_n': 0.0}, 'tether.least_n must be above 0: the tether could go slack, got 0'),
-    'bounds crossed': ({'tether__least_n': 12.0}, 'tether.least_n must be below most_n, 10, got 12'),
+    'slack': ({'tether__least_n': 0.0},
+              'tether.least_n must be above 0: the tether could go slack, got 0'),
+    'bounds crossed': ({'tether__least_n': 12.0},
+                       'tether.least_n must be below most_n, 10, got 12'),
     'abort outside': ({'tether__abort_n': 11.0},
                       'abort_n must be between least_n and most_n, 0.02 and 10, got 11'),
     'short tether': ({'approach__baseline_m': 20.5},
                      'the tether would be shorter than the geometry, got 20.5'),
     'out of view': ({'approach__attitude_rad': [0.0, 0.0, 0.5]},
-                    'have the target in the field of view at the start, 0.4 rad from the boresight, got 0.5 rad'),
+                    'have the target in the field of view at the start, '
+                    '0.4 rad from the boresight, got 0.5 rad'),
     'coarse step': ({'step_s': 1.0}, 'step_s must be at most 0.5'),
     'no time': ({'timeout_s': 10.0}, 'timeout_s must be at least the approach takes, 20 s'),
     'no plan': ({'planner__nodes': 10, 'approach__duration_s': [8.0, 8.0]},

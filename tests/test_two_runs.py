@@ -92,7 +92,7 @@ def test_a_run_ends_when_another_was_ready_before_it_started(plant, started):
         is_ready(plant, 'link_back', identity.new_run(), before)
 
 
-# -- one user: the domain is locked ------------------------------------------------------------------
+# -- one user: the domain is locked ----------------------------------------------------------------
 
 @pytest.fixture
 def domain(monkeypatch):
@@ -127,7 +127,7 @@ def test_a_second_run_with_the_same_exported_domain_says_who_holds_it(tmp_path, 
         end(first)
 
 
-# -- two users or machines: nodes tell runs apart ----------------------------------------------------
+# -- two users or machines: nodes tell runs apart --------------------------------------------------
 
 @pytest.mark.slow
 def test_a_run_that_comes_into_anothers_domain_ends_and_the_other_one_flies_on(
@@ -153,7 +153,7 @@ def test_a_run_that_comes_into_anothers_domain_ends_and_the_other_one_flies_on(
     assert len(told) == 1 and 'seed: 3' in told[0].data
     ready = [m.data.split() for m in messages(tmp_path / 'first', '/run/ready')]
     ours = [node for node, run in ready if run == ready[0][1]]
-    assert len(ours) == len(set(ours)) == 11    # the other may have said that it was ready, as itself
+    assert len(ours) == len(set(ours)) == 11  # the other may have said that it was ready, as itself
     steps = [m.step for m in messages(tmp_path / 'first', '/onboard/measurement')]
     assert steps == list(range(len(steps)))     # one writer, from first to last
 

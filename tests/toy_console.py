@@ -88,7 +88,7 @@ class ToyConsole:
         self._runs = runs
         self.hub, self.sticks, self.provider = self.hub_of(), [], ToyDisplay()
         self.answers, self.asked = True, []
-        self.kind = KIND_THRUST                 # of the commands sent; telemetry falls silent at others
+        self.kind = KIND_THRUST             # of the commands sent; telemetry falls silent at others
         self._loop = asyncio.new_event_loop()
         self._over = asyncio.Event()
         up = threading.Event()

@@ -72,8 +72,8 @@ def main(argv: list[str] | None = None) -> int:
                   file=sys.stderr)
             return EXIT_CANNOT
         if lacks_temporary(error):
-            print(f'rvd {args.command}: no folder for temporary files can be written: set TMPDIR to '
-                  'one that can', file=sys.stderr)
+            print(f'rvd {args.command}: no folder for temporary files can be written: set TMPDIR '
+                  'to one that can', file=sys.stderr)
             return EXIT_CANNOT
         if has_come():                          # a library that it has cut short says anything
             return EXIT_INTERRUPTED
@@ -116,8 +116,8 @@ def _add_fly(commands: argparse._SubParsersAction) -> None:
                           'link, ground ...), or all in one, the fastest (default: the scenario, '
                           'else blocks)')
     fly.add_argument('--operator', choices=('model', 'replay', 'console', 'joy', 'none'),
-                     help='the pilot (default: that of the scenario, else model); a mission without '
-                          'one can be watched by console')
+                     help='the pilot (default: that of the scenario, else model); a mission '
+                          'without one can be watched by console')
     fly.add_argument('--tape', metavar='FILE',
                      help='with --operator replay: name from `rvd list tapes`, CSV file or bag')
     fly.add_argument('--tape-topic', metavar='TOPIC',
@@ -144,7 +144,8 @@ def _add_fly(commands: argparse._SubParsersAction) -> None:
     console.add_argument('--port', type=int, metavar='N',
                          help='port of the page (default: 8480; 0: any free port)')
     console.add_argument('--bind', metavar='ADDRESS',
-                         help='address of the page (default: 127.0.0.1); any but 127.0.0.1 needs TLS')
+                         help='address of the page (default: 127.0.0.1); any but 127.0.0.1 '
+                              'needs TLS')
     console.add_argument('--tls-cert', metavar='FILE', help='TLS certificate')
     console.add_argument('--tls-key', metavar='FILE', help='key of the certificate')
     console.add_argument('--session', metavar='FILE',

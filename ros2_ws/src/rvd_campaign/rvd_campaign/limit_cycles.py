@@ -108,7 +108,8 @@ def _branch(args: argparse.Namespace, case: CycleCase) -> int:
         raise CannotRun(f'--until must differ from where the branch begins, {first:g}')
     turned = name == 'phi_d_deg'
     branch = limit_cycles.follow(
-        case, 'phi_d' if turned else name, *(radians(v) if turned else v for v in (first, args.until)),
+        case, 'phi_d' if turned else name,
+        *(radians(v) if turned else v for v in (first, args.until)),
         points=args.points)
     shown = degrees if turned else float
     points = [{name: shown(at), 'phi_deg': degrees(start[0]), 'phi_rate': float(start[1]),

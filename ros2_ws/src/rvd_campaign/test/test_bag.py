@@ -278,7 +278,8 @@ def test_a_bag_of_a_mission_that_is_not_installed_may_be_cut_off(tmp_path):
 
 @pytest.mark.parametrize('text, why', [
     ('', 'holds no scenario'), ('not: [yaml', 'not valid YAML'),
-    ('/*: {ros__parameters: {mission: tether}}', r'names no mission, and lunar_approach has no node \*'),
+    ('/*: {ros__parameters: {mission: tether}}',
+     r'names no mission, and lunar_approach has no node \*'),
     ('arm: {ros__parameters: {a: 1}}', 'names no mission, and lunar_approach has no node arm'),
     ('/**: {ros__parameters: {seed: 1}}\narm: {ros__parameters: {a: 1}}', 'no node arm'),
     ('{}', 'names no mission and holds nothing'),
@@ -309,8 +310,9 @@ def test_a_scenario_from_before_there_were_missions_is_of_the_first():
 
 def test_a_scenario_of_another_version_is_read_as_far_as_it_is_known():
     scenario, trouble = scenario_of(
-        '/**: {ros__parameters: {mission: lunar_approach, step_s: 0.1, of_tomorrow: 1, forward_delay_s: 2, '
-        'corridor: {half_angle_deg: 4.0}}}\nnext_node: {ros__parameters: {a: 1}}')
+        '/**: {ros__parameters: {mission: lunar_approach, step_s: 0.1, of_tomorrow: 1, '
+        'forward_delay_s: 2, corridor: {half_angle_deg: 4.0}}}\n'
+        'next_node: {ros__parameters: {a: 1}}')
     assert (scenario.run.step_s, scenario.part('legs').forward,
             scenario.part('cone').half_angle_deg) == (0.1, 20, 4)
     assert trouble == 'this version does not know /**: of_tomorrow, next_node'

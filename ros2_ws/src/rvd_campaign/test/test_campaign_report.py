@@ -206,7 +206,8 @@ def test_no_results_no_page(tmp_path):
 
 
 @pytest.mark.parametrize('name, data', [
-    (SUMMARY, b'{"a'), (SUMMARY, b'\xff'), (SUMMARY, b'[]'), (RESULTS, b''), (RESULTS, b'PAR1 and no more')])
+    (SUMMARY, b'{"a'), (SUMMARY, b'\xff'), (SUMMARY, b'[]'), (RESULTS, b''),
+    (RESULTS, b'PAR1 and no more')])
 def test_damaged_results_are_refused_with_the_way_to_make_them_again(folder, tmp_path, name, data):
     shutil.copytree(folder, tmp_path / 'a copy')
     (tmp_path / 'a copy' / name).write_bytes(data)

@@ -13,7 +13,8 @@ from rvd_campaign.campaign.spec import (
 from rvd_campaign.catalogue import entries
 from rvd_groundstation.operators.pilot import PILOTS
 
-SHIPPED = sorted(file.stem for file in (Path(__file__).resolve().parents[4] / 'campaigns').glob('*.yaml'))
+CAMPAIGNS = Path(__file__).resolve().parents[4] / 'campaigns'
+SHIPPED = sorted(file.stem for file in CAMPAIGNS.glob('*.yaml'))
 
 
 def test_conditions_times_grid():

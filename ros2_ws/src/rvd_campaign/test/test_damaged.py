@@ -16,12 +16,15 @@ import sys
 import threading
 
 from mcap.stream_reader import StreamReader
+from mcap.writer import CompressionType
 import numpy as np
 import pytest
 from rclpy.serialization import deserialize_message, serialize_message
 
 import small_run
 from rvd_campaign.bench import damaged
+from rvd_campaign.bench.damaged import bombs, of_tables
+from rvd_campaign.bench.damaged.content import content_of, string, written
 from rvd_campaign.report import replay
 from rvd_campaign.report.run import page, write_report
 from rvd_dynamics.bad_input import BadInput
@@ -143,17 +146,17 @@ def test_an_undamaged_bag_is_not_called_damaged(run):
 
 def changed(run, topic, change):
     """Change the messages of a topic by `change(data)`."""
-    content = damaged.content_of(run / 'bag')
+    content = content_of(run / 'bag')
     for i in content.of(topic):
         content.messages[i].data = change(content.messages[i].data)
-    file_of(run).write_bytes(damaged.written(content))
+    file_of(run).write_bytes(written(content))
 
 
 @pytest.mark.parametrize('topic, change, said', [
     ('/truth/relative_state', lambda data: data[:50], '/truth/relative_state: 100 messages left'),
     ('/run/verdict', lambda data: data[:20], '/run/verdict: 100 messages left out'),
     ('/run/end', lambda data: data[:4] + b'\xff' * 8, '/run/end: 1 message left out'),
-    ('/run/scenario', lambda data: damaged._string('&a [*a]'), 'aliases are not allowed')])
+    ('/run/scenario', lambda data: string('&a [*a]'), 'aliases are not allowed')])
 def test_a_topic_that_cannot_be_read_takes_no_other_with_it(run, topic, change, said):
     changed(run, topic, change)
     text = page(read(run))
@@ -163,13 +166,13 @@ def test_a_topic_that_cannot_be_read_takes_no_other_with_it(run, topic, change, 
 
 @pytest.mark.parametrize('name', ['', 'status', '/status', '//'])
 def test_a_status_of_a_link_is_shown_whatever_its_topic_is_called(run, name):
-    content = damaged.content_of(run / 'bag')
+    content = content_of(run / 'bag')
     for channel in content.channels.values():
         if channel.topic == '/run/scenario':        # or the scenario would say which legs there are
             channel.topic = '/elsewhere'
         elif channel.topic == '/link/forward/status':
             channel.topic = name
-    file_of(run).write_bytes(damaged.written(content))
+    file_of(run).write_bytes(written(content))
     links = read(run).links
     assert len(links) == 2 and len(links.pop('back').history) == len(links.popitem()[1].history) > 0
     assert damaged.faults(run) == []
@@ -186,12 +189,12 @@ def test_numbers_that_no_run_has_are_reviewed_without_a_word_on_the_side(run):
 
 
 def test_a_step_beyond_the_run_is_none(run):
-    content = damaged.content_of(run / 'bag')
+    content = content_of(run / 'bag')
     at = content.of('/truth/relative_state')[7]
     message = content.messages[at]
     step = message.data.index(struct.pack('<Q', 7), 8)
     message.data = message.data[:step] + struct.pack('<Q', 2**63) + message.data[step + 8:]
-    file_of(run).write_bytes(damaged.written(content))
+    file_of(run).write_bytes(written(content))
     found = read(run)
     assert found.last_step == small_run.LAST
     assert found.missing['/truth/relative_state'] == 1
@@ -220,7 +223,7 @@ test_damaged.{what}(Path(sys.argv[1]))
 
 def bomb(path):
     """Write a chunk of 60 kB that unpacks to 2 GB."""
-    data = damaged._zstd_zeros(b'', 2 << 30)
+    data = bombs.zstd_zeros(b'', 2 << 30)
     body = struct.pack('<QQQI', 0, 1, 2 << 30, 0) + struct.pack('<I4sQ', 4, b'zstd', len(data))
     path.write_bytes(mcap_records.MAGIC + struct.pack('<BQ', 6, len(body) + len(data)) + body
                      + data)
@@ -254,10 +257,10 @@ def test_a_bomb_is_not_unpacked(tmp_path, what, fails):
 
 
 def test_bombs_that_are_messages_are_unpacked_once(base, tmp_path, monkeypatch):
-    content, packed = damaged.content_of(base), damaged._zstd_zeros(b'', 1 << 30)
+    content, packed = content_of(base), bombs.zstd_zeros(b'', 1 << 30)
     for message in content.messages[:200]:
         message.data = packed
-    (tmp_path / 'x.mcap').write_bytes(damaged.written(content))
+    (tmp_path / 'x.mcap').write_bytes(written(content))
     monkeypatch.setattr(messages, 'TIMES', 2)
     spent = []
     monkeypatch.setattr(messages, 'unpacked', lambda kind, data, most: (
@@ -270,7 +273,7 @@ def test_bombs_that_are_messages_are_unpacked_once(base, tmp_path, monkeypatch):
 
 def test_a_file_of_zstd_is_unpacked_as_far_as_its_size_allows(tmp_path):
     (tmp_path / 'x.mcap.zstd').write_bytes(
-        damaged._zstd_zeros(mcap_records.MAGIC + struct.pack('<BQ', 0x80, 1 << 30), 2 << 30))
+        bombs.zstd_zeros(mcap_records.MAGIC + struct.pack('<BQ', 0x80, 1 << 30), 2 << 30))
     file = MessageFile(tmp_path / 'x.mcap.zstd')
     assert not list(file) and 'unpacks to more than' in file.damage[0]
 
@@ -278,7 +281,7 @@ def test_a_file_of_zstd_is_unpacked_as_far_as_its_size_allows(tmp_path):
 def tables(path):
     """Write an empty SQLite file of rosbag2."""
     with closing(sqlite3.connect(path)) as base:
-        base.executescript(damaged.TABLES)
+        base.executescript(of_tables.TABLES)
         base.execute("INSERT INTO topics VALUES (1, '/joy', 'sensor_msgs/msg/Joy', 'cdr', '', '')")
         base.commit()
 
@@ -289,8 +292,8 @@ def alter(path, script):
 
 
 @pytest.mark.parametrize('script, said', [
-    (damaged.HOSTILE[0], 'messages is a view'), (damaged.HOSTILE[1], 'messages is a view'),
-    (damaged.HOSTILE[2], 'columns that are computed'), (damaged.HOSTILE[3], 'topics is a view'),
+    (of_tables.HOSTILE[0], 'messages is a view'), (of_tables.HOSTILE[1], 'messages is a view'),
+    (of_tables.HOSTILE[2], 'columns that are computed'), (of_tables.HOSTILE[3], 'topics is a view'),
     ('DROP TABLE topics;', 'no table topics')])
 def test_a_table_that_is_a_program_is_refused(tmp_path, script, said):
     tables(tmp_path / 'x.db3')
@@ -301,7 +304,7 @@ def test_a_table_that_is_a_program_is_refused(tmp_path, script, said):
 def test_a_query_without_an_end_is_one_for_sqlite(tmp_path):
     """The negative twin: it would be read for ever."""
     tables(tmp_path / 'x.db3')
-    alter(tmp_path / 'x.db3', damaged.HOSTILE[0])
+    alter(tmp_path / 'x.db3', of_tables.HOSTILE[0])
     with closing(sqlite3.connect(tmp_path / 'x.db3')) as base:
         assert len(base.execute('SELECT data FROM messages').fetchmany(100_000)) == 100_000
 
@@ -360,9 +363,9 @@ def test_a_draft_that_somebody_has_planted_is_not_written_through(run):
 
 
 def test_a_chunk_of_any_compression_is_read_as_it_was_written(base, tmp_path):
-    content, whole = damaged.content_of(base), None
-    for kind in damaged.CompressionType:
-        (tmp_path / 'x.mcap').write_bytes(damaged.written(content, kind))
+    content, whole = content_of(base), None
+    for kind in CompressionType:
+        (tmp_path / 'x.mcap').write_bytes(written(content, kind))
         got = [(s.topic, s.data, s.log_ns) for s in MessageFile(tmp_path / 'x.mcap')]
         whole = whole or got
         assert got == whole and len(got) == len(content.messages)

@@ -173,7 +173,7 @@ def test_use_sim_time_is_refused_with_the_remedy(section, value):
     assert 'leave out use_sim_time' in line
 
 
-# -- seeds: what a ROS parameter can hold ------------------------------------------------------------
+# -- seeds: what a ROS parameter can hold ----------------------------------------------------------
 
 @pytest.mark.parametrize('seed', [0, 7, 2**63 - 1])
 def test_a_seed_that_fits_a_parameter_of_ros_is_taken(seed):

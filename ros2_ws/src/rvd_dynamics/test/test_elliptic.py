@@ -164,7 +164,8 @@ def test_held_thrust_agrees_with_an_inertial_integration():
         thrust = accel[0]*along + accel[1]*up - accel[2]*np.array([0.0, 0.0, 1.0])
         return [*s[3:], *(-MU*s[:3]/np.linalg.norm(s[:3])**3 + thrust)]
     p, v = (np.array([float(c) for c in part]) for part in inertial(state, ORBIT.at(0.0)))
-    end = solve_ivp(rate, (0.0, duration), [*p, *v], method='DOP853', rtol=1e-13, atol=1e-6).y[:, -1]
+    way = solve_ivp(rate, (0.0, duration), [*p, *v], method='DOP853', rtol=1e-13, atol=1e-6)
+    end = way.y[:, -1]
     found = coasted(state, duration, 2.0, accel=accel)
     p, v = (np.array([float(c) for c in part]) for part in inertial(found, ORBIT.at(duration)))
     assert_allclose(end[:3], p, atol=2e-5)

@@ -126,7 +126,7 @@ def rates(draw):
 
 @settings(max_examples=12)
 @example({'sensor_period': 3, 'law_period': 4, 'guard_period': 1, 'truth_delay': 0,
-          'measured_delay': 0, 'wanted_delay': 1}, 18, 'blocks')    # the law needs nothing of 19, 20
+          'measured_delay': 0, 'wanted_delay': 1}, 18, 'blocks')   # the law needs nothing of 19, 20
 @drawn(rates(), st.integers(12, 31), st.sampled_from(GROUPINGS))
 def test_blocks_of_any_rate_get_the_same_bits_as_in_one_process(chosen, steps, processes):
     scenario = toy_mission.scenario(timeout_s=0.5 * steps, processes=processes, **chosen)
@@ -166,7 +166,8 @@ def test_a_block_of_any_rate_that_stops_is_the_one_that_owes(chosen, dead, until
 # -- bad outputs -------------------------------------------------------------------------------
 
 FAULTS = {
-    ('law', 'nan'): 'block law writes /onboard/wanted at step 3: a command must be finite, got [nan]',
+    ('law', 'nan'):
+        'block law writes /onboard/wanted at step 3: a command must be finite, got [nan]',
     ('guard', 'inf'): 'block guard writes /onboard/thrust at step 3: a command must be finite, got',
     ('law', 'shape'): 'block law writes /onboard/wanted at step 3: command must have shape (1,), '
                       'got (2,)',

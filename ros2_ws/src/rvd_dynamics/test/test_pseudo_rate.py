@@ -95,7 +95,9 @@ def test_off_threshold_above_on_threshold_is_refused():
 
 @pytest.fixture(scope='module')
 def held():
-    """Position and speed, (80000, 2, 2), of two double integrators of 0.02 m/s^2 in loops: 800 s."""
+    """
+    Position and speed, (80000, 2, 2), of two double integrators of 0.02 m/s^2 in loops: 800 s.
+    """
     step, modulator = 0.01, SixLoops(LoopParams(), AttitudeLoopParams(), 0.01, (2,))
     x, v, track = np.array([0.0, 0.5]), np.array([0.5e-3, 0.0]), []
     error, rate = np.zeros((2, 2, 6))

@@ -265,7 +265,8 @@ def particle():
     """
     Return J (3, 13) of any particle, as a function of numbers.
 
-    (dJ/dt) q' is the imaginary part of J q' a tiny imaginary step along q', exact to the last digit.
+    (dJ/dt) q' is the imaginary part of J q' a tiny imaginary step along q', exact to the last
+    digit.
     """
     q = sp.symbols('q0:13')
     place, along = sp.symbols('r0:3'), sp.symbols('e0:9')

@@ -152,7 +152,8 @@ def test_obstacles_that_stand_still_have_the_colour_of_obstacles_beside_the_corr
     assert field.corridor
     places = scenario.part('obstacles').places(scenario.run.seed, [scenario.run.run], ())
     balls = markers.still_spheres(field, 'target_lvlh').markers
-    assert [[b.pose.position.x, b.pose.position.y, b.pose.position.z] for b in balls] == places.tolist()
+    centres = [b.pose.position for b in balls]
+    assert [[p.x, p.y, p.z] for p in centres] == places.tolist()
     assert [b.scale.x for b in balls] == pytest.approx([0.8, 0.6])
     for b in balls:
         assert (b.color.r, b.color.g, b.color.b) == pytest.approx(markers.OBSTACLE)

@@ -20,8 +20,10 @@ from rvd_dynamics.diagram.scenario import Scenario
 from rvd_dynamics.diagram.signal import Part, Signal
 from rvd_dynamics.diagram.streams import Normals
 
-FAULTS = ('none', 'nan', 'inf', 'shape', 'missing', 'extra', 'nothing', 'raises', 'sleeps', 'number')
-TRUTH = Signal('/truth/toy', (Part('state', (2,), 'm, m/s'), Part('final', (), '', '?')), truth=True)
+FAULTS = ('none', 'nan', 'inf', 'shape', 'missing', 'extra', 'nothing', 'raises', 'sleeps',
+          'number')
+TRUTH = Signal('/truth/toy', (Part('state', (2,), 'm, m/s'), Part('final', (), '', '?')),
+               truth=True)
 MEASURED = Signal('/onboard/measured', (Part('state', (2,), 'm, m/s'),))
 WANTED = Signal('/onboard/wanted', (Part('command', (1,), 'm/s^2'), Part('count', (), '', 'i8')))
 THRUST = Signal('/onboard/thrust', (Part('command', (1,), 'm/s^2', initial=0.0),))
@@ -44,7 +46,8 @@ class Toy:
 
 MISSION = Mission(
     name='toy', title='A point mass comes to rest.',
-    shared=(Shared('run', 'rvd_dynamics.diagram.run:Run'), Shared('toy', f'{__name__}:Toy', 'toy.')),
+    shared=(Shared('run', 'rvd_dynamics.diagram.run:Run'),
+            Shared('toy', f'{__name__}:Toy', 'toy.')),
     sections={'bag_recorder': 'rvd_dynamics.recording.params:RecorderParams'},
     parts={'form': f'{__name__}:form'}, diagram=f'{__name__}:diagram', judge=f'{__name__}:Judge')
 LOG: dict[tuple[str, int], bytes] = {}          # (block, step): what it was given
@@ -56,7 +59,8 @@ def form() -> None:
 
 def scenario(**values: Any) -> Scenario:
     """Return a scenario; keys of `toy.` are given without the prefix."""
-    keys = {key if key in ('timeout_s', 'step_s', 'seed', 'pace', 'pace_factor', 'processes', 'nodes')
+    keys = {key if key in ('timeout_s', 'step_s', 'seed', 'pace', 'pace_factor', 'processes',
+                           'nodes')
             else f'toy.{key}': value for key, value in values.items()}
     return Scenario('toy', MISSION, {'/**': {'timeout_s': 20.0, **keys}}).check()
 

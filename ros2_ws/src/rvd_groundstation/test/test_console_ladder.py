@@ -2,7 +2,8 @@
 
 import pytest
 
-from rvd_dynamics.commands.codes import KIND_ABORT, KIND_THRUST, REASON_ABORT, REASON_CHECKSUM, REASON_NONE
+from rvd_dynamics.commands.codes import (
+    KIND_ABORT, KIND_THRUST, REASON_ABORT, REASON_CHECKSUM, REASON_NONE)
 from rvd_groundstation.console.ladder import Ladder, STATES
 
 FORWARD, BACK, STEP_S = 4, 3, 0.5

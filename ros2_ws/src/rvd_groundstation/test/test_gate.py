@@ -101,6 +101,7 @@ def test_rows_of_a_batch_are_judged_alone_and_as_a_single_run():
             both = every.advance(k, sample, np.ones(4, bool),
                                  None if k == 0 else np.zeros((4, 3), np.int8))
             for row in range(4):
-                alone = one[row].advance(k, sample[row], np.bool_(True), None if k == 0 else NOTHING)
+                alone = one[row].advance(k, sample[row], np.bool_(True),
+                                         None if k == 0 else NOTHING)
                 assert_array_equal(alone.predicted, both.predicted[row])
     assert every._filter.gate.outliers.tolist()[0] == 0 and every._filter.gate.outliers[2] == 1

@@ -48,7 +48,8 @@ def test_with_two_sticks_number_and_name_choose():
         assert [len(Device(number=i).poll().axes) for i in (0, 1)] == [4, 6]    # and a hat
         assert Device(number=7, name=names[0]).poll() is not None
         assert Device(name='no such stick').poll() is None
-        assert "no stick named 'no such stick': there is 0 " in Device(name='no such stick').why_not()
+        why = Device(name='no such stick').why_not()
+        assert "no stick named 'no such stick': there is 0 " in why
         assert Device(number=2).why_not().startswith('no stick with number 2: there is 0 ')
         two.unplug()
         four.unplug()

@@ -168,7 +168,7 @@ def test_without_the_map_the_same_barrier_does(seed=3):
     assert (least <= 0.0).mean() > 0.2
 
 
-# -- what a stop is ----------------------------------------------------------------------------------
+# -- what a stop is --------------------------------------------------------------------------------
 
 def test_a_stop_is_a_braking_to_rest_on_each_axis():
     """Against small steps of Newton's law."""
@@ -226,7 +226,7 @@ def test_how_a_paper_chaser_stops():
     assert_allclose(moving, [4*(0.05 + 1e-3*0.25/stop.decelerations[0]), 0.016, 0.016])
 
 
-# -- which starts are feasible -------------------------------------------------------------------------
+# -- which starts are feasible ---------------------------------------------------------------------
 
 def test_a_start_straight_at_a_sphere_has_the_room_that_the_equations_of_motion_leave():
     stop, x, v = stop_for(lost_commands=0), -30.0, 0.25
@@ -256,7 +256,7 @@ def test_room_of_a_start_is_the_same_alone_and_in_a_batch(batch):
     assert_array_equal(np.reshape(whole, -1), alone)
 
 
-# -- the laws as laws --------------------------------------------------------------------------------
+# -- the laws as laws ------------------------------------------------------------------------------
 
 @pytest.mark.parametrize('kind', [Barrier, CorridorApf, DampedApf, SafeApproach])
 def test_rows_among_obstacles_are_equal_to_single_calls_bit_for_bit(kind):
@@ -275,7 +275,8 @@ def test_rows_among_obstacles_are_equal_to_single_calls_bit_for_bit(kind):
 
 def test_an_unknown_state_is_level_zero_and_disturbs_no_other_row():
     state, places, radii = fields(8, 30)
-    law, covariance = barrier(places, radii, stop_for()), np.broadcast_to(1e-4*np.eye(6), (30, 6, 6))
+    law = barrier(places, radii, stop_for())
+    covariance = np.broadcast_to(1e-4*np.eye(6), (30, 6, 6))
     clean = PAPER.levels_among(law, state, None, covariance)
     state[3, 2] = np.nan
     got = PAPER.levels_among(law, state, None, covariance)

@@ -139,7 +139,8 @@ def test_empty_csv_is_refused(tmp_path, text, complaint):
 def test_missing_or_unreadable_tapes_are_refused_by_name(tmp_path):
     with pytest.raises(ValueError, match='cannot read tape .*none.csv: No such file'):
         read_tape(tmp_path / 'none.csv')
-    with pytest.raises(ValueError, match='holds no bag: there is no .mcap or .db3 file in the folder'):
+    with pytest.raises(ValueError,
+                       match='holds no bag: there is no .mcap or .db3 file in the folder'):
         read_tape(tmp_path)
     for name, content in (('noise.csv', bytes(range(256))), ('noise.mcap', b'no mcap at all')):
         (tmp_path / name).write_bytes(content)

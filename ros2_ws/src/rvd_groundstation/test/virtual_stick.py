@@ -30,7 +30,8 @@ class VirtualStick:
 
     def move(self, axis, value):
         """Put an axis to -32768 .. 32767."""
-        assert self._sdl.SDL_JoystickSetVirtualAxis(self._opened(), axis, ctypes.c_int16(value)) == 0
+        assert self._sdl.SDL_JoystickSetVirtualAxis(self._opened(), axis,
+                                                    ctypes.c_int16(value)) == 0
 
     def press(self, button, down=1):
         assert self._sdl.SDL_JoystickSetVirtualButton(self._opened(), button, down) == 0

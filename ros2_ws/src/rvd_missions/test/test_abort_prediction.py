@@ -18,7 +18,8 @@ CASES = {
     'short burn': 'onboard_guard: {ros__parameters: {abort_burn_s: 5.3}}',
     'no burn': 'onboard_guard: {ros__parameters: {abort_burn_s: 0.0}}',
     'constant transit': 'link_forward: {ros__parameters: {model: constant}}',
-    'wide transit': 'link_forward: {ros__parameters: {model: uniform, uniform: {low_fraction: 0.2}}}',
+    'wide transit':
+        'link_forward: {ros__parameters: {model: uniform, uniform: {low_fraction: 0.2}}}',
     'lossy uplink': 'link_forward: {ros__parameters: {loss_fraction: 0.3}}',
     'adaptive filter': 'state_predictor: {ros__parameters: {filter: adaptive}}',
     'no delay': '/**: {ros__parameters: {forward_delay_s: 0.0, back_delay_s: 0.0}}',
@@ -46,7 +47,8 @@ def test_errors_are_what_is_claimed(name, step):
     """
     Along x, where the burn acts: mean square over the runs against the claimed variance.
 
-    The runs share what is not known, the step in which the ABORT comes into force, so what they have
+    The runs share what is not known, the step in which the ABORT comes into force, so what they
+    have
     in common varies more than 100 errors do by themselves: a factor of 2.5 in the square. A lossy
     uplink loses commands before the ABORT, too, which the covariance leaves out.
     """
@@ -61,7 +63,9 @@ def test_errors_are_what_is_claimed(name, step):
 
 
 def test_nothing_is_off_by_metres_during_the_burn():
-    """Where level 0 was assumed for an aborted craft the prediction was 3.2 m off, of a claimed 0.02."""
+    """
+    Where level 0 was assumed for an aborted craft the prediction was 3.2 m off, of a claimed 0.02.
+    """
     _, found = flown('', 100)
     off = max(abs(error[:, 0]).max() for (name, _), (error, _) in found.items()
               if name == '/ground/prediction')

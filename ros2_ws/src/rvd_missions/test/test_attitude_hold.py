@@ -23,7 +23,8 @@ from rvd_missions.attitude_hold.signals import LAW, MEASUREMENT, TELEMETRY, THRU
 from rvd_missions.attitude_hold.stability import loop, poles, TWO_TAPS
 
 ROOT = Path(__file__).resolve().parents[4]
-QUIET = {'attitude_sensors': {'horizon_sigma_deg': 0.0, 'sun_sigma_deg': 0.0, 'gyro_sigma_deg': 0.0},
+QUIET = {'attitude_sensors': {'horizon_sigma_deg': 0.0, 'sun_sigma_deg': 0.0,
+                              'gyro_sigma_deg': 0.0},
          'attitude_dynamics': {'angle_sigma_deg': 0.0, 'rate_sigma_deg_s': 0.0}}
 FIXED = {'law': 'golden_section', 'golden_section.adapts': False,
          'golden_section.derivative_per_s': 0.0, 'golden_section.softening': 0.0}
@@ -279,8 +280,8 @@ def test_the_console_shows_the_attitude_and_needles_that_turn_with_it():
 
 
 BAD = {
-    'inertia': ({'craft.inertia_kg_m2': 0.0}, {}, 'craft.inertia_kg_m2 must be between 1e-06 and 100000000, '
-                'got 0.0'),
+    'inertia': ({'craft.inertia_kg_m2': 0.0}, {}, 'craft.inertia_kg_m2 must be between 1e-06 and '
+                '100000000, got 0.0'),
     'negative inertia': ({'craft.inertia_kg_m2': -3.0}, {}, 'craft.inertia_kg_m2 .* got -3.0'),
     'actuator of the wrong sign': ({'faults.actuator_gain': -1.0}, {},
                                    'faults.actuator_gain must be above 0.*got -1.0'),
@@ -294,7 +295,8 @@ BAD = {
                         'pid.proportional_per_s2 must be between 0 and 10000, got -0.1'),
     'forgetting': ({}, {'attitude_controller': {'golden_section.forgetting': 1.5}},
                    'golden_section.forgetting must be between 0.5 and 1, got 1.5'),
-    'law': ({}, {'attitude_controller': {'law': 'silver'}}, 'law must be one of golden_section, pid'),
+    'law': ({}, {'attitude_controller': {'law': 'silver'}},
+            'law must be one of golden_section, pid'),
     'torque step': ({'torque.step_n_m': 5.0}, {}, 'torque.step_n_m must be .* got 5.0'),
     'window': ({'limits.window_s': 400.0}, {}, 'limits.window_s must be at most timeout_s, 300'),
     'lost': ({'limits.lost_deg': 0.4}, {}, 'limits.lost_deg must be above the reference, 0.5'),

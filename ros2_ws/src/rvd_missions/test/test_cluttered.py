@@ -42,7 +42,8 @@ def judged(states, obstacles=ONE, timeout_s=200.0):
 
 def straight(start, velocity, steps):
     t = 0.5*np.arange(steps)[:, None]
-    return np.hstack([np.array(start) + t*np.array(velocity), np.broadcast_to(velocity, (steps, 3))])
+    return np.hstack([np.array(start) + t*np.array(velocity),
+                      np.broadcast_to(velocity, (steps, 3))])
 
 
 # -- judged ----------------------------------------------------------------------------------------
@@ -77,7 +78,7 @@ def test_without_obstacles_nothing_of_them_is_measured():
     assert PAPER.part('stop') is None and scene(PAPER) is None
 
 
-# -- where they are -----------------------------------------------------------------------------------
+# -- where they are --------------------------------------------------------------------------------
 
 def test_places_are_drawn_for_each_run_and_do_not_depend_on_what_else_flies():
     obstacles = TWO.part('obstacles')
@@ -111,7 +112,7 @@ def test_a_row_of_a_batch_is_the_run_alone_to_the_bit():
         assert_array_equal(values[0], together.verdict.values[name][2], err_msg=name)
 
 
-# -- flown ---------------------------------------------------------------------------------------------
+# -- flown -----------------------------------------------------------------------------------------
 
 @pytest.mark.slow
 @pytest.mark.parametrize('number', [2, 4])
@@ -132,7 +133,7 @@ def test_without_the_barrier_most_pilots_touch_something():
     assert (flown.verdict.reason == 'contact').mean() > 0.4
 
 
-# -- counted -------------------------------------------------------------------------------------------
+# -- counted ---------------------------------------------------------------------------------------
 
 def test_outcomes_are_those_of_feasible_starts_and_infeasible_ones_stand_apart():
     table = dict(zip(COLUMNS, (
@@ -153,7 +154,7 @@ def test_intervals_are_those_of_wilson():
         assert interval(count, of) == pytest.approx((expected.low, expected.high), abs=1e-12)
 
 
-# -- drawn ---------------------------------------------------------------------------------------------
+# -- drawn -----------------------------------------------------------------------------------------
 
 def test_console_and_markers_draw_the_spheres_of_the_run():
     scenario = TWO.with_values('/**', run=5)
@@ -168,7 +169,7 @@ def test_console_and_markers_draw_the_spheres_of_the_run():
     assert MARKERS in Roster(scenario).watchers
 
 
-# -- refused -------------------------------------------------------------------------------------------
+# -- refused ---------------------------------------------------------------------------------------
 
 @pytest.mark.parametrize('section, values, words', [
     ('/**', {'obstacles__radius_m': [0.4, -0.3, 0.4, 0.3]},
@@ -179,8 +180,10 @@ def test_console_and_markers_draw_the_spheres_of_the_run():
     ('/**', {'obstacles__position_m': [-9.0, 0.0, 0.0, -30.1, 0.2, 0.0] + [-9.0, 0.0, 0.0]*2},
      'obstacles.position_m of obstacle 2 must be more than 0.3 m from the start, where the chaser '
      'is, got [-30.1, 0.2, 0.0]'),
-    ('/**', {'obstacles__position_m': [-9.0, 0.0]}, 'must be 12 numbers, three for each of obstacles.radius_m'),
-    ('/**', {'obstacles__number': 5}, 'obstacles.number must be at most the 4 that obstacles.radius_m lists, got 5'),
+    ('/**', {'obstacles__position_m': [-9.0, 0.0]},
+     'must be 12 numbers, three for each of obstacles.radius_m'),
+    ('/**', {'obstacles__number': 5},
+     'obstacles.number must be at most the 4 that obstacles.radius_m lists, got 5'),
     ('/**', {'obstacles__scatter_m': [0.1, -0.1, 0.1]}, 'scatter_m[1] must not be negative'),
     ('/**', {'thrust__lateral_m_s2': [1e-4, 4e-4, 0.02]}, 'brake_level must give more than'),
     ('state_predictor', {'filter': 'scheduled'}, 'state_predictor: filter must be adaptive among'),

@@ -60,7 +60,8 @@ def values_of(signal):
         if p.name == 'command':
             return LEVELS
         elements = {'f': st.floats(width=64), 'b': st.booleans(),
-                    'u': st.integers(0, 255), 'i': st.integers(0, 2**63 - 1)}[np.dtype(p.dtype).kind]
+                    'u': st.integers(0, 255),
+                    'i': st.integers(0, 2**63 - 1)}[np.dtype(p.dtype).kind]
         return hnp.arrays(p.dtype, p.shape, elements=elements)
     return st.builds(signal.type, *(part(p) for p in signal.parts))
 
@@ -235,7 +236,8 @@ def test_a_frame_that_holds_nothing_is_nothing_received(name):
 
 # -- any other signal --------------------------------------------------------------------------
 
-ANY = Signal('/any', (Part('state', (2,), 'm, m/s'), Part('turn', (3, 3)), Part('flag', (), '', '?'),
+ANY = Signal('/any',
+             (Part('state', (2,), 'm, m/s'), Part('turn', (3, 3)), Part('flag', (), '', '?'),
                       Part('count', (), '', 'i8'), Part('kind', (), '', 'u1'),
                       Part('command', (1,), 'm/s^2')))
 

@@ -367,8 +367,8 @@ def test_a_craft_too_far_aside_retreats_to_three_metres_with_its_brake_and_stays
     assert np.abs(truth.position[-1, 0, 1:] - [0.2, -0.15]).max() < 0.05
 
 
-HEAD = ('t_s,axis_0,axis_1,axis_2,axis_3,axis_4,axis_5,button_0,button_1,button_2,button_3,button_4,'
-        'button_5')
+HEAD = ('t_s,axis_0,axis_1,axis_2,axis_3,axis_4,axis_5,button_0,button_1,button_2,button_3,'
+        'button_4,button_5')
 SHORT = 'attitude_deg: [0.0, 0.0, 0.0]'
 
 
@@ -463,7 +463,9 @@ def test_a_thruster_across_that_sticks_open_near_the_port_ends_in_a_retreat():
 
 
 def test_a_couple_that_sticks_open_is_known_by_what_its_loop_demands():
-    """8 of 16 N m: half of the time on; 30 s ln(0.5/0.3) later, with all bounds kept, it retreats."""
+    """
+    8 of 16 N m: half of the time on; 30 s ln(0.5/0.3) later, with all bounds kept, it retreats.
+    """
     distance, speed, state, brake = stuck(13, 12.0, 32.0, -3.35, 20.0, 0.02, 0.01)
     begin = int(np.flatnonzero(state)[0])
     assert begin == pytest.approx(1200 + 1532, abs=150) and np.all(state[begin:] == RETREAT)

@@ -1,4 +1,6 @@
-"""Figures and display of the elliptic rendezvous: every one is drawn, of every law and of little."""
+"""
+Figures and display of the elliptic rendezvous: every one is drawn, of every law and of little.
+"""
 
 from pathlib import Path
 

@@ -1,4 +1,6 @@
-"""What only watchers read goes out many messages at a time in lock step; the ring never waits for it."""
+"""
+What only watchers read goes out many messages at a time in lock step; the ring never waits for it.
+"""
 
 import pytest
 import rclpy
@@ -7,7 +9,7 @@ from rvd_dynamics.diagram.ros.arguments import parsed
 from rvd_dynamics.diagram.ros.host import BEAT_NS, HANDFUL, Host
 from rvd_dynamics.diagram.ros.main import make, wanted
 
-WATCHED = {                             # of each process, by the picture in lunar_approach/diagram.py
+WATCHED = {                           # of each process, by the picture in lunar_approach/diagram.py
     'world': {'/truth/relative_state', '/onboard/measurement', '/clock'},
     'onboard': set(),
     'link': {'/link/back/status', '/link/forward/status'},

@@ -33,7 +33,8 @@ COLUMNS = {     # phi_min, phi_max [deg] at those eccentricities; at 0.3 the fir
                   ((-82.04, -81.65), (-82.18, -81.40), (-82.40, -80.74), (-82.73, -79.76))),
 }
 VARIED = [CycleCase(), CycleCase(form='r2', k1=0.5, k2=-0.2), CycleCase(form='r4', k1=0.6, k2=0.3),
-          CycleCase(law='odrrca', q1=0.7, k2=-0.3), CycleCase(law='odrrca', ff='on', phi_d_deg=50.0),
+          CycleCase(law='odrrca', q1=0.7, k2=-0.3),
+          CycleCase(law='odrrca', ff='on', phi_d_deg=50.0),
           CycleCase(law='odrrca', form='r4', ff='full', phi_d_deg=-130.0, k2=0.2)]
 IDS = [f'{c.law}-{c.form}-{c.ff}' for c in VARIED]
 

@@ -186,7 +186,8 @@ class Graph:
         seen = self.predictor.advance(k, sample, received, self.command, self.told_abort)
         error = self.score.advance(seen, sample, received).error
         pilot, pilot_valid = self.stick(k, seen)
-        auto = self.form.quantise(self.law.wanted(seen.predicted, pilot if pilot_valid and self.mode != 'auto' else None))
+        blends = pilot_valid and self.mode != 'auto'
+        auto = self.form.quantise(self.law.wanted(seen.predicted, pilot if blends else None))
         d = decide(self.mode, self.sharing, pilot, pilot_valid, auto, seen.valid)
         self.command = np.zeros(3, dtype=np.int8) if self.aborting else d.levels
         self.told_abort = self.aborting
@@ -478,7 +479,8 @@ def test_printed_variants_do_what_the_documentation_says():
 
 @pytest.mark.parametrize('operator', ['joy', 'console'])
 def test_an_operator_from_outside_cannot_fly_in_one_process(operator):
-    said = f'^operator {operator}: command_blender reads /joy from .*, which takes a graph and a wall'
+    said = (f'^operator {operator}: command_blender reads /joy from .*, '
+            'which takes a graph and a wall')
     with pytest.raises(ValueError, match=said):
         fly(approach(operator=operator), [0])
 

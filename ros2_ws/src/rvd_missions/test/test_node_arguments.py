@@ -110,7 +110,8 @@ FILES = {
     'a list': ('relative_sensor: {ros__parameters: [1]}', 'relative_sensor must hold'),
     'not yaml': ('{', 'not valid YAML'),
     'empty': ('', 'is empty or not a mapping'),
-    'bad value': ('/**: {ros__parameters: {seed: many}}', "seed must be a whole number, got 'many'"),
+    'bad value': ('/**: {ros__parameters: {seed: many}}',
+                  "seed must be a whole number, got 'many'"),
     'another mission': ('/**: {ros__parameters: {mission: mars}}', "no mission 'mars'"),
     'does not fit together': ('/**: {ros__parameters: {joy_input: held}}',
                               'joy_input held needs pace realtime'),
@@ -164,13 +165,14 @@ NODES = {
     'a link without a name': (['link_emulator'], 'a link must be named link_back or link_forward'),
     'a group where there are none': (['block_group', '-p', 'group:=one'],
                                      'a group needs processes segments or one, got blocks'),
-    'a group of another grouping': (['block_group', '-p', 'group:=one', '-p', 'processes:=segments'],
-                                    'group must be one of world, onboard, link, ground with '
-                                    "processes segments, got 'one'"),
+    'a group of another grouping': (
+        ['block_group', '-p', 'group:=one', '-p', 'processes:=segments'],
+        "group must be one of world, onboard, link, ground with processes segments, got 'one'"),
     'a group without a name': (['block_group', '-p', 'processes:=one'],
                                "group must be one of one with processes one, got ''"),
     'no place for a bag': (['bag_recorder'], 'bag_recorder: bag_dir must name a directory'),
-    'arguments that are none of ROS': (['relative_sensor', '--warp'], "ROS does not start: ['--warp']"),
+    'arguments that are none of ROS': (['relative_sensor', '--warp'],
+                                       "ROS does not start: ['--warp']"),
     'no such file': (['relative_sensor', '--params-file', '/nowhere.yaml'],
                      'cannot read parameter file /nowhere.yaml: No such file'),
 }

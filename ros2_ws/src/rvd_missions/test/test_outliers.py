@@ -1,4 +1,6 @@
-"""The filters of the tether, of docking and of obstacles leave outliers out, and are not locked out."""
+"""
+The filters of the tether, of docking and of obstacles leave outliers out, and are not locked out.
+"""
 
 import numpy as np
 from numpy.testing import assert_array_equal
@@ -10,7 +12,8 @@ from rvd_missions.tether.settings import ApproachParams, GripperParams, OrbitPar
 
 @pytest.fixture
 def observer():
-    return Observer(ObserverParams(), OrbitParams(), GripperParams(), TetherParams(), ApproachParams(),
+    return Observer(ObserverParams(), OrbitParams(), GripperParams(), TetherParams(),
+                    ApproachParams(),
                     0.1, 2)
 
 
@@ -53,7 +56,8 @@ def navigation(rows):
 
 
 def view(place, turn=(0.0, 0.0, 0.0, 1.0), rows=1):
-    return (np.tile(np.asarray(place, float), (rows, 1)), np.tile(np.asarray(turn, float), (rows, 1)),
+    return (np.tile(np.asarray(place, float), (rows, 1)),
+            np.tile(np.asarray(turn, float), (rows, 1)),
             np.tile(np.diag([1e-4]*3 + [1e-5]*3), (rows, 1, 1)))
 
 

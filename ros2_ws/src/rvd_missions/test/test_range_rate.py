@@ -36,7 +36,8 @@ def los_of(d=800.0, phi=1.0, closing=-2.0, turning=2e-4):
 
 # -- the line of sight --------------------------------------------------------------------------
 
-@given(strategies.floats(1.0, 1e5), numbers, strategies.floats(-30, 30), strategies.floats(-1e-2, 1e-2))
+@given(strategies.floats(1.0, 1e5), numbers, strategies.floats(-30, 30),
+       strategies.floats(-1e-2, 1e-2))
 def test_state_and_line_of_sight_are_inverse(d, phi, closing, turning):
     found = line_of_sight(state_of(LineOfSight(d, phi, closing, turning)))
     assert_allclose([*found], [d, phi, closing, turning], rtol=1e-9, atol=1e-9)
@@ -51,7 +52,9 @@ def test_zero_is_radial_out_and_ahead_is_plus_ninety_degrees():
 @pytest.mark.parametrize('phi', np.radians([-150.0, -90.0, 20.0, 69.0, 140.0]))
 @pytest.mark.parametrize('accel', [(0.0, 0.0), (0.03, -0.02)])
 def test_the_line_of_sight_equations_are_those_of_the_exact_motion_near_the_target(phi, accel):
-    """(4) and (5) of the paper, to first order in D / r, against differences of the exact motion."""
+    """
+    (4) and (5) of the paper, to first order in D / r, against differences of the exact motion.
+    """
     los, h = los_of(50.0, phi), 0.02
     s, c = np.sin(phi), np.cos(phi)
     thrust = np.array([accel[0]*s + accel[1]*c, accel[0]*c - accel[1]*s, 0.0])
@@ -130,7 +133,8 @@ def demand(rate, push=0.0):
 
 def test_ideal_thrust_keeps_the_range_rate_where_there_is_no_error():
     los = los_of(50.0)
-    along, push, _ = thrusters().acceleration(state_of(los), los, demand(los.range_rate), AT, C, -0.5)
+    along, push, _ = thrusters().acceleration(state_of(los), los, demand(los.range_rate), AT, C,
+                                              -0.5)
     state = elliptic.step(state_of(los), along*np.array([np.sin(los.direction), np.cos(
         los.direction), 0.0]), ORBIT, 0.0, 0.1)
     assert_allclose(line_of_sight(state).range_rate, los.range_rate, atol=1e-7)

@@ -1,4 +1,6 @@
-"""A tether with mass: the massless plant in both limits, invariants of a free chain, a taut string."""
+"""
+A tether with mass: the massless plant in both limits, invariants of a free chain, a taut string.
+"""
 
 from pathlib import Path
 
@@ -44,7 +46,7 @@ def test_before_a_bead_is_out_it_is_the_tether_without_mass():
     state, count, _ = paid_out(81.0, RHO)
     assert count == 0
     assert_allclose(state[:6], without_mass()[:6], atol=1e-6)
-    assert_allclose(state[6:], without_mass()[6:], atol=2e-5)     # attitude: first order in its parts
+    assert_allclose(state[6:], without_mass()[6:], atol=2e-5)   # attitude: first order in its parts
 
 
 def test_what_mass_costs_goes_to_nothing_with_the_mass():
@@ -91,7 +93,8 @@ def test_a_free_chain_keeps_momentum_angular_momentum_and_energy():
     first = told()
     swing = []
     for _ in range(100):
-        state, chain, count, _ = beads.advance(state, chain, count, np.zeros((1, 7)), NOWHERE, craft,
+        state, chain, count, _ = beads.advance(state, chain, count, np.zeros((1, 7)), NOWHERE,
+                                               craft,
                                                tether, H, 40)
         swing.append(np.linalg.norm(chain[0, 0, 3:]))
     assert count[0] == n and np.ptp(swing) > 0.01

@@ -80,7 +80,7 @@ def test_an_order_acts_after_both_legs_and_the_reaction():
         assert far[seen - 20] == pytest.approx(34.0, abs=0.15)              # 2 s before it is seen
         assert 2.1 <= (acts - seen)*STEP <= 2.1 + 2.0           # up, and a median reaction of 0.5
         assert batch.columns['told_range_m'][row] == far[acts]
-    assert np.ptp([first(batch.history, BRAKING, row) for row in range(3)]) > 0     # reactions differ
+    assert np.ptp([first(batch.history, BRAKING, row) for row in range(3)]) > 0   # reactions differ
 
 
 def test_a_gripper_on_hold_stands_on_a_taut_tether():
@@ -292,7 +292,7 @@ def test_a_plan_is_complete_when_each_point_has_come_in_any_order(order, lost):
         newer[:, 1] = 2
         came = np.array([True])
         done = [len(store.take(came, newer[[i]])) for i in range(9)]
-        assert done == [0]*8 + [1]                                  # not one of the old points counts
+        assert done == [0]*8 + [1]                                # not one of the old points counts
         assert not len(store.take(came, points[[4]])) and store.number[0] == 2
 
 

@@ -47,7 +47,8 @@ def test_it_predicts_the_motion_of_the_plant():
     state = np.concatenate([X[:6], [0.0, 0.0, 0.0, 1.0], np.zeros(3)])[np.newaxis]
     craft = CRAFT.copy()
     craft[0] = GRIPPER.mass_kg/(1.0 - X[7])
-    moved = motion.advance(state, U[np.newaxis], over_step(GEO, 50.0, 0.02), craft[np.newaxis], 0.02)
+    moved = motion.advance(state, U[np.newaxis], over_step(GEO, 50.0, 0.02), craft[np.newaxis],
+                           0.02)
     assert_allclose(predicted(X)[:6], moved[0, :6], atol=1e-8)
 
 

@@ -1,6 +1,6 @@
 """
-The digital spacecraft: how many times real time its plant, its closed loop and its graph are, in few
-rows and in many, and how long the optimal plan takes. Compilation and imports do not count.
+The digital spacecraft: how many times real time its plant, its closed loop and its graph are, in
+few rows and in many, and how long the optimal plan takes. Compilation and imports do not count.
 """
 
 import time

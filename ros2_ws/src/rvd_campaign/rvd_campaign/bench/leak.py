@@ -106,8 +106,8 @@ def fly(processes: str, steps: int, folder: Path, domain: int) -> Notes:
     """
     last = WARM_UP_STEPS + steps
     if shutil.disk_usage(folder).free < last*BAG_BYTES:
-        raise BadInput(f'the bag of {last} steps takes {last*BAG_BYTES/1e9:.1f} GB, and {folder} has '
-                       'less: set TMPDIR to a folder that has it')
+        raise BadInput(f'the bag of {last} steps takes {last*BAG_BYTES/1e9:.1f} GB, and {folder} '
+                       'has less: set TMPDIR to a folder that has it')
     path = folder / 'scenario.yaml'
     path.write_text(SCENARIO.format(processes=processes, step_s=STEP_S,
                                     timeout_s=STEP_S*(last + 1000)))

@@ -17,7 +17,8 @@ from rvd_dynamics.diagram.in_process import fly, judge_of
 from rvd_dynamics.diagram.judge import judgement
 from rvd_dynamics.diagram.scenario import Scenario
 
-FIXED = ('scenario', 'mode', 'operator', 'tape', 'tape_topic', 'seed')  # arguments the campaign answers
+# arguments that the campaign answers
+FIXED = ('scenario', 'mode', 'operator', 'tape', 'tape_topic', 'seed')
 
 
 def chosen(args: argparse.Namespace) -> Scenario:

@@ -70,8 +70,9 @@ def check_foreign(scenario: Scenario) -> None:
         if node.foreign and node.started and not any(
                 os.access(Path(prefix, 'lib', node.package, node.executable), os.X_OK)
                 for prefix in prefixes):
-            raise CannotRun(f'the ROS package {node.package} with {node.executable} is not installed '
-                            f'(sudo apt-get install ros-jazzy-{node.package.replace("_", "-")}); '
+            name = f'ros-jazzy-{node.package.replace("_", "-")}'
+            raise CannotRun(f'the ROS package {node.package} with {node.executable} is not '
+                            f'installed (sudo apt-get install {name}); '
                             'our own driver needs nothing: joy_driver: joystick')
 
 

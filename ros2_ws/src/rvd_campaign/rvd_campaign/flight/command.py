@@ -50,7 +50,9 @@ def main(args: argparse.Namespace) -> int:
 
 
 def _for_the_console(args: argparse.Namespace, wanted: bool) -> bool:
-    """Give the console's options their defaults if it is wanted, else refuse those that are given."""
+    """
+    Give the console's options their defaults if it is wanted, else refuse those that are given.
+    """
     for name, usual in CONSOLE.items():
         if getattr(args, name) is None:
             setattr(args, name, usual)

@@ -1,5 +1,6 @@
 """
-What in the environment would keep the nodes of a run from finding each other, said before it starts.
+What in the environment would keep the nodes of a run from finding each other, said before it
+starts.
 
 The middleware says it late or not at all: a node ends with code 102, or a run waits for a minute.
 """
@@ -54,8 +55,8 @@ def _check_profiles(name: str, path: Path) -> None:
     try:
         ElementTree.parse(path)
     except OSError as error:
-        raise CannotRun(f'{name}={path} cannot be read ({error.strerror}): unset it, or name a file '
-                        'of profiles') from None
+        raise CannotRun(f'{name}={path} cannot be read ({error.strerror}): unset it, or name a '
+                        'file of profiles') from None
     except (ElementTree.ParseError, ValueError) as error:
         raise CannotRun(f'{name}={path} is not valid XML ({error}): mend it, or unset {name}'
                         ) from None
@@ -65,7 +66,8 @@ def _is_up(interface: str) -> bool:
     """Say whether a network interface of this network namespace is up; /sys shows another's."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as any_socket:
         try:
-            found = fcntl.ioctl(any_socket, GET_FLAGS, struct.pack('16sH14x', interface.encode(), 0))
+            found = fcntl.ioctl(any_socket, GET_FLAGS,
+                                struct.pack('16sH14x', interface.encode(), 0))
         except OSError:                         # there is none of that name
             return False
     return bool(struct.unpack('16sH14x', found)[1] & IS_UP)

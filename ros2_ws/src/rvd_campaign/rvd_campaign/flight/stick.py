@@ -32,7 +32,8 @@ SHOW_S = 0.1                    # [s] wall time between two pictures
 WAIT_S = 3.0                    # [s] wall time that a publisher gets to be heard
 PUSHED = 0.7                    # deflection that counts as an answer
 BAR = 10                        # characters of half a bar
-ASKED = (('x', 'forwards (x+)'), ('y', 'the way that commands y+'), ('z', 'the way that commands z+'))
+ASKED = (('x', 'forwards (x+)'), ('y', 'the way that commands y+'),
+         ('z', 'the way that commands z+'))
 
 Source = Callable[[], Reading | None]
 
@@ -123,7 +124,8 @@ def _heard(topic: str) -> Iterator[tuple[Source, str]]:
 
         def read() -> Reading | None:
             rclpy.spin_once(node, timeout_sec=0.0)
-            return newest[0][1] if newest and time.monotonic() - newest[0][0] <= HELD_FOR_S else None
+            holds = newest and time.monotonic() - newest[0][0] <= HELD_FOR_S
+            return newest[0][1] if holds else None
         until = time.monotonic() + WAIT_S
         while read() is None:
             if time.monotonic() > until:
@@ -221,7 +223,9 @@ def needed(read: Source) -> Reading:
 
 
 def pushed(read: Source, rest: Reading, taken: list[int]) -> tuple[int, int]:
-    """Wait for an axis not yet taken to be pushed from its rest and let go; return it and the sense."""
+    """
+    Wait for an axis not yet taken to be pushed from its rest and let go; return it and the sense.
+    """
     answer: tuple[int, int] | None = None
     while True:
         moves = {i: a - r for i, (a, r) in enumerate(zip(needed(read).axes, rest.axes))

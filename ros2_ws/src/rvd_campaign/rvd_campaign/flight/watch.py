@@ -230,7 +230,9 @@ class FlightWatch:
             data, message_type(self._roster.topics[topic]))
 
     def line(self) -> str:
-        """Return one line of progress: time, range and rate, limited measures, who decides, delay."""
+        """
+        Return one line of progress: time, range and rate, limited measures, who decides, delay.
+        """
         truth, command, back = map(self.newest, (self._truth, self._command, self._back))
         if truth is None or not self.begun:
             return ''

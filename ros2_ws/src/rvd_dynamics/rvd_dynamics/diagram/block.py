@@ -32,9 +32,9 @@ class Read:
     One input of a block: a signal, some base steps ago.
 
     `held` inputs do not make the block wait: it takes the newest message of the last half second
-    of wall time (a hand on a stick). `optional` names the optional parts that the block uses. `late`
-    names an argument of `step` that gets, in a graph, what came after the firing that was to have it:
-    a dict of values by the step in which they were written.
+    of wall time (a hand on a stick). `optional` names the optional parts that the block uses.
+    `late` names an argument of `step` that gets, in a graph, what came after the firing that was
+    to have it: a dict of values by the step in which they were written.
     """
 
     signal: Signal

@@ -232,7 +232,8 @@ class Diagram:
     def _check_thrust(self) -> None:
         writer = self.writer_of.get(self.thrust)
         if writer is None or writer.name != self.guard:
-            raise DiagramError(f'{self.thrust} is written by {writer.name if writer else "nobody"}: '
+            written_by = writer.name if writer else 'nobody'
+            raise DiagramError(f'{self.thrust} is written by {written_by}: '
                                f'the guard {self.guard} is the only writer of thrust')
         for part in self.signals[self.thrust].parts:
             if part.name == 'command' and not np.isfinite(part.filled(())).all():

@@ -49,7 +49,8 @@ def checker(signal: Signal, optional: tuple = ()) -> Callable[[Any, int], str]:
     Return a function of a value, without batch axes, and the step in which it was emitted.
 
     It returns in a few words why the value cannot be; nothing if it can. Shapes are right already.
-    A covariance that may be left out is looked at where `optional` names it, since it takes longest.
+    A covariance that may be left out is looked at where `optional` names it, since it takes
+    longest.
     """
     tests = [(i, part.name, test) for i, part in enumerate(signal.parts)
              for test in _tests(part, not part.optional or part.name in optional)]
@@ -131,8 +132,9 @@ def _counted(given: Any, step: int) -> str:
 
 
 def _no_number_beyond(given: NDArray, _: int) -> str:
-    if (np.abs(given) > LARGEST).any():
-        return f'must be from {-LARGEST:g} to {LARGEST:g}, got {given[np.abs(given) > LARGEST][0]:g}'
+    beyond = given[np.abs(given) > LARGEST]
+    if beyond.size:
+        return f'must be from {-LARGEST:g} to {LARGEST:g}, got {beyond[0]:g}'
     return ''
 
 
@@ -159,7 +161,9 @@ def _covariance(given: NDArray, step: int) -> str:
 
 
 def held_by(dtype: np.dtype) -> tuple[int, int]:
-    """Return the least and the largest whole number of a type, or of flags, that a float64 holds."""
+    """
+    Return the least and the largest whole number of a type, or of flags, that a float64 holds.
+    """
     if dtype.kind == 'b':
         return 0, 1
     return max(int(np.iinfo(dtype).min), -EXACT), min(int(np.iinfo(dtype).max), EXACT)

@@ -242,7 +242,9 @@ _Dumper.add_representer(list, lambda d, v: d.represent_sequence(
 
 
 def _text(dumper: _Dumper, text: str) -> Any:
-    """Quote what ROS, which knows more numbers and truth values than PyYAML, would not read as text."""
+    """
+    Quote what ROS, which knows more numbers and truth values than PyYAML, would not read as text.
+    """
     bare = re.match('[A-Za-z_/]', text) and text.lower() not in NOT_TEXT
     return dumper.represent_scalar('tag:yaml.org,2002:str', text, style=None if bare else "'")
 

@@ -127,7 +127,9 @@ class Signal:
         return self.type(**values)
 
     def initial(self, batch: tuple = ()) -> tuple:
-        """Return what readers get before the writer has fired, and for a message that is missing."""
+        """
+        Return what readers get before the writer has fired, and for a message that is missing.
+        """
         return self.type(*(None if part.optional else part.filled(batch) for part in self.parts))
 
     def shifted(self, ahead: int) -> 'Signal':

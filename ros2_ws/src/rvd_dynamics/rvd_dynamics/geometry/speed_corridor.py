@@ -35,7 +35,9 @@ class SpeedCorridor:
         return self.form != 'none'
 
     def limit(self, gap: ArrayLike) -> NDArray[np.float64]:
-        """Return the largest speed [m/s] at gaps (...) [m]; that at contact where one is negative."""
+        """
+        Return the largest speed [m/s] at gaps (...) [m]; that at contact where one is negative.
+        """
         gap = np.maximum(gap, 0.0)
         if self.form == 'parabola':
             return self.contact_speed_m_s + np.sqrt(

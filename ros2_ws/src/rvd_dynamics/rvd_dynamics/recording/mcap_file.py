@@ -46,7 +46,7 @@ class GrowingFile:
         self._file = os.open(path, flags, 0o644)
         fcntl.flock(self._file, fcntl.LOCK_EX)  # for as long as this process has it open
         self.size = 0
-        self._append(MCAP0_MAGIC + _bytes_of(Header(profile=PROFILE, library=LIBRARY)))
+        self._append(MCAP0_MAGIC + bytes_of(Header(profile=PROFILE, library=LIBRARY)))
 
     def _append(self, record: bytes) -> None:
         try:
@@ -60,7 +60,7 @@ class GrowingFile:
 
     def append(self, *records: McapRecord) -> None:
         """Append records that belong together, all or none."""
-        self._append(b''.join(map(_bytes_of, records)))
+        self._append(b''.join(map(bytes_of, records)))
 
     def append_messages(self, messages: Iterable[tuple[int, int, int, int, bytes]]) -> None:
         """
@@ -76,7 +76,7 @@ class GrowingFile:
 
     def finish(self) -> None:
         """Append the end of a file without an index."""
-        end = _bytes_of(DataEnd(data_section_crc=0)) + _bytes_of(
+        end = bytes_of(DataEnd(data_section_crc=0)) + bytes_of(
             Footer(summary_start=0, summary_offset_start=0, summary_crc=0))
         self._append(end + MCAP0_MAGIC)
 
@@ -85,7 +85,8 @@ class GrowingFile:
         os.close(self._file)
 
 
-def _bytes_of(record: McapRecord) -> bytes:
+def bytes_of(record: McapRecord) -> bytes:
+    """Return a record as it stands in a file."""
     builder = RecordBuilder()
     record.write(builder)
     return builder.end()

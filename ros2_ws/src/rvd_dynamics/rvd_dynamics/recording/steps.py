@@ -37,7 +37,8 @@ def step_reader(kind: str, step_ns: int) -> Callable[[bytes], int] | None:
     Return the function that reads the step of serialised messages of type `kind`.
 
     Joy, Clock and other standard messages carry no step: theirs is the stamp in steps of
-    `step_ns`. None if messages of this type belong to no step. The function raises `struct.error` if there are too few bytes.
+    `step_ns`. None if messages of this type belong to no step. The function raises `struct.error`
+    if there are too few bytes.
     """
     if kind in HEADER_THEN_STEP:
         return _after_header

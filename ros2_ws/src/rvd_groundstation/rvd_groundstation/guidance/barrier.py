@@ -77,8 +77,8 @@ class Barrier:
         (0.15, 0.285), 'Closing rates below and above which level 1 corrects the rate [m/s].',
         length=2, rising=True)
     around_m_s: float = param(
-        0.05, 'Largest lateral rate at which it leads round an obstacle that is in the way, where 0 '
-        'means that it only stops [m/s].', low=0.0, high=1.0)
+        0.05, 'Largest lateral rate at which it leads round an obstacle that is in the way, where '
+        '0 means that it only stops [m/s].', low=0.0, high=1.0)
 
     def __post_init__(self) -> None:
         require(len(self.coasts_s) > 0, 'coasts_s', 'be one number or more', list(self.coasts_s))
@@ -88,14 +88,17 @@ class Barrier:
         Return the effect (..., 3) [m/s^2] of the automatic command; see `Law.wanted`.
 
         Without a stick the pilot counts as neutral, and the automatic command is the one that
-        shall come out itself: so, too, in mode auto, where nobody blends and the law is told of none.
+        shall come out itself: so, too, in mode auto, where nobody blends and the law is told of
+        none.
         """
         prediction = np.asarray(prediction, dtype=float)
         neutral = np.zeros((*prediction.shape[:-1], 3), dtype=np.int8)
         return self.told(self.outcome(prediction, neutral if stick is None else stick), stick)
 
     def told(self, outcome: Levels, stick: ArrayLike | None) -> Array:
-        """Return the effect (..., 3) [m/s^2] of the automatic command that makes `outcome` of it."""
+        """
+        Return the effect (..., 3) [m/s^2] of the automatic command that makes `outcome` of it.
+        """
         if stick is not None:
             cell = LEVELS.size*np.add(stick, HIGHEST) + (outcome + HIGHEST)
             outcome = self._automatic.ravel().take(cell.T).T    # as components lie in memory

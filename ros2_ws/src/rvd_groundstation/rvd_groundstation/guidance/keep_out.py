@@ -1,5 +1,6 @@
 """
-Laws among keep-out spheres: the barrier made to stop short of them, the potential field of a sphere.
+Laws among keep-out spheres: the barrier made to stop short of them, the potential field of a
+sphere.
 
 Frame   target orbital; states (..., 6) and places of obstacles (..., M, 3), the known map.
 Method  Ours; docs/cluttered.md has derivation and limits. `among` gives a law the map:
@@ -172,7 +173,9 @@ class BarrierAmong:
         return np.stack(np.unravel_index(best, inside.shape[:3])) - most, chosen
 
     def _gap(self, squares: list, index: NDArray) -> Array:
-        """Return how far outside all bodies the stops (n,) after the commands `index` (3, n) stay."""
+        """
+        Return how far outside all bodies the stops (n,) after the commands `index` (3, n) stay.
+        """
         gap = np.full(index.shape[1], np.inf)
         for axes, r in zip(squares, self._radii):
             square = sum(np.take_along_axis(axes[i], index[i][None, None], axis=0)[0]

@@ -8,7 +8,7 @@ Source  Xu Dandan, Zhang Jin, Chinese J. Theor. Appl. Mech. 52(6). The scan lost
 
     a = (v_g + v_m + sum v_o - v) / dt                                          [S] form, [A] v once
     v_g = -k v_max (1 - exp(-b_g r)) (1 - exp(-t/1 s)) r_c / r                  [A] parameters [S]
-    v_o = k_o (r_co / sigma^2) exp(-|r_co|^2 / 2 sigma^2), while alarmed        [D] of a Gaussian [S]
+    v_o = k_o (r_co / sigma^2) exp(-|r_co|^2 / 2 sigma^2), while alarmed       [D] of a Gaussian [S]
     sigma = (L_o + D) / 3                                                       [S]
     D = d_0 (L_o + D_stop), or d_0' + L_o + D_stop;  D_stop = v^2 / 2 a_max     [A]; [D]
     v_m = -v_g exp(-k_s (r - L))                                                [A]
@@ -56,7 +56,8 @@ class TargetField:
     max_speed_m_s: float = param(
         1.0, 'Speed far from the target, v_max [m/s].', above=0.0, high=100.0)
     slowing_per_m: float = param(
-        0.0045, 'Rate b_g at which the speed dies away near the target [1/m].', above=0.0, high=10.0)
+        0.0045, 'Rate b_g at which the speed dies away near the target [1/m].', above=0.0,
+        high=10.0)
     target_repulsion: str = param(
         'corridor', 'Repulsion by the target: that of the speed corridor where it is kept, or the '
         'empirical one.', choices=('corridor', 'empirical'))

@@ -48,7 +48,7 @@ class Joystick(RunNode):
         self._joy = self.writer('/joy', Joy, qos.HELD_STICK)
         self._horizon = Horizon(self.run, self.run.last_step)
         self._in_a_run = NAME in self.roster.names
-        self._heard_clock: tuple[int, float] | None = None        # [ns], wall time at which it came [s]
+        self._heard_clock: tuple[int, float] | None = None    # [ns], wall time at which it came [s]
         self._stamp_ns = -1
         self._there: bool | None = None
         self._looks = 0

@@ -1,5 +1,6 @@
 """
-Settings of `joystick`: names and defaults of `joy_node` of the package joy (docs.ros.org/en/jazzy/p/joy).
+Settings of `joystick`: names and defaults of `joy_node` of the package joy
+(docs.ros.org/en/jazzy/p/joy).
 """
 
 from rvd_dynamics.diagram.params import param, settings

@@ -26,8 +26,8 @@ class Operation:
         'stepped', 'How the stick is read: stepped takes one Joy for each step, held the newest '
         'Joy of the last half second.', choices=JOY_INPUTS)
     joy_driver: str = param(
-        'joystick', 'Who publishes a held stick of operator joy: joystick is our own driver, joy_node '
-        'that of the ROS package joy, external a node that somebody else starts.',
+        'joystick', 'Who publishes a held stick of operator joy: joystick is our own driver, '
+        'joy_node that of the ROS package joy, external a node that somebody else starts.',
         choices=JOY_DRIVERS)
 
     @property

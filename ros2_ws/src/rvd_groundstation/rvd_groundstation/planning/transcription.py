@@ -27,7 +27,8 @@ from rvd_groundstation.planning.problem import Problem
 FREE = np.nan                           # of an initial or final value: to be found
 TOLERANCE = 1e-10                       # of ipopt, on the scaled programme
 MOST_ITERATIONS = 400
-# What can be found from a straight line takes up to 100 iterations; what cannot uses up all it gets.
+# What can be found from a straight line takes up to 100 iterations; what cannot uses up all it
+# gets.
 # So the search for what is in the way begins after these, and a feasible point gets all of them.
 FIRST_ITERATIONS = 150
 # A start from a plan that is nearly right: the barrier begins small, and nothing is pushed away

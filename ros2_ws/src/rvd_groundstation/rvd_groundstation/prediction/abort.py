@@ -54,7 +54,9 @@ class AbortProfile:
 
     @cached_property
     def waiting(self) -> Array:
-        """Probability that no ABORT is in force 0, 1, 2, ... steps after the first was sent, (j,)."""
+        """
+        Probability that no ABORT is in force 0, 1, 2, ... steps after the first was sent, (j,).
+        """
         link, rng = self.link, streams.generator(0, 0, 'ground/abort/transit')
         hold_s = self.legs.forward * self.run.step_s
         transit = link.delay_model.delays(rng, (TRANSITS,), hold_s)

@@ -8,15 +8,15 @@ Source  the paper (Zhang, Li, Tang 2014, section 2.2) asks for a filter and name
         process noise Q = Gamma (3e-4 m/s^2)^2 Gamma' + floor. The floors keep R regular where
         a component is zero; they belong to the filter, and the sensor has none.
 
-Gate    a sample is an outlier, and left out as if it had been lost, where the sum of its innovations
-        squared, each over its own variance, is above `gate_nis`. The variance is that of the prior,
-        which grows with the samples that were lost, of the noise where the chaser nominally is and
-        where the prior has it, and of what the filter leaves out: commands that were lost. The sum
-        is chi-square of 6 where that is right and correlations are left aside; 141 was the largest
-        in 100 runs of each condition of five campaigns, with five times the noise assumed. From an
-        ABORT on, whose instant is not known, the bound is STANDING times as wide. After
-        `gate_patience` outliers in a row it is the filter that is wrong: it begins anew at the next
-        sample, with the covariance of the start.
+Gate    a sample is an outlier, and left out as if it had been lost, where the sum of its
+        innovations squared, each over its own variance, is above `gate_nis`. The variance is that
+        of the prior, which grows with the samples that were lost, of the noise where the chaser
+        nominally is and where the prior has it, and of what the filter leaves out: commands that
+        were lost. The sum is chi-square of 6 where that is right and correlations are left aside;
+        141 was the largest in 100 runs of each condition of five campaigns, with five times the
+        noise assumed. From an ABORT on, whose instant is not known, the bound is STANDING times as
+        wide. After `gate_patience` outliers in a row it is the filter that is wrong: it begins anew
+        at the next sample, with the covariance of the start.
 
 `FILTERS` lists two. `scheduled` runs filterpy's filter once on the straight nominal approach
 and keeps its gains, one 6 x 6 sequence for every run and row. `adaptive` keeps one filterpy

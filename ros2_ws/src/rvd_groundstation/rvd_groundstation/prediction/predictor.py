@@ -225,7 +225,9 @@ class Predictor:
         return np.where(received[..., None], kept, difference)
 
     def _differences(self, i: int) -> Array:
-        """Return by how much what acts at place i of `_own` may differ from the mean, (h, ..., 3)."""
+        """
+        Return by how much what acts at place i of `_own` may differ from the mean, (h, ..., 3).
+        """
         after = self._next_step - 2 - self._back + i - self._abort_step
         arrivals = self._abort.arrivals[0].reshape(-1, *[1] * (len(self._batch) + 1))
         burning = (arrivals <= after) & (after < arrivals + self._abort.burn_steps)

@@ -39,7 +39,8 @@ def comparison(results: Any) -> tuple['Canvas', str]:
     panels[0, 0].set_title('Mean with each law')
     panels[0, 1].set_title('golden_section minus pid, run by run')
     for axes in panels[-1]:
-        axes.set_xticks(range(len(names)), [name.replace(' ', '\n') for name in names], fontsize=6.0)
+        axes.set_xticks(range(len(names)), [name.replace(' ', '\n') for name in names],
+                        fontsize=6.0)
     panels[0, 0].legend(ncols=2, **ABOVE)
     if len(groups) > 1:
         panels[1, 1].legend(ncols=len(groups), **ABOVE)

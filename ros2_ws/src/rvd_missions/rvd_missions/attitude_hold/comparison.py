@@ -114,8 +114,8 @@ def in_words(found: list[Row], laws: tuple[str, str] = LAWS) -> str:
     for measure in dict.fromkeys(row.measure for row in found):
         chosen = [row for row in found if row.measure == measure]
         signs = [row.difference.sign for row in chosen]
-        lines.append(f'{measure}: smaller with {laws[0]} in {signs.count(-1)} cells, with {laws[1]} '
-                     f'in {signs.count(1)}, undecided in {signs.count(0)}')
+        lines.append(f'{measure}: smaller with {laws[0]} in {signs.count(-1)} cells, '
+                     f'with {laws[1]} in {signs.count(1)}, undecided in {signs.count(0)}')
         lines += [f'  {row.cell:<{width}}  {row.first.value:9.5f}  {row.second.value:9.5f}  '
                   f'{row.difference.value:+9.5f} [{row.difference.low:+.5f}, '
                   f'{row.difference.high:+.5f}]  {row.difference.runs} runs' for row in chosen]

@@ -104,8 +104,8 @@ def _mark_faults(panels: tuple['Axes', ...], run: Recording) -> None:
 FIGURES = {
     'attitude': Figure(
         attitude, 'Attitude',
-        'True attitude, what the sensors say (after a fault of their gain that is another scale) and '
-        'the reference; below, the torque that the guard commanded. Dotted: a fault.',
+        'True attitude, what the sensors say (after a fault of their gain that is another scale) '
+        'and the reference; below, the torque that the guard commanded. Dotted: a fault.',
         signals=(TRUTH.name, THRUST.name), also=(MEASUREMENT.name,)),
     'error': Figure(
         error, 'Error', 'Size of the true error. Dotted: a fault. The run is held if the root mean '

@@ -166,7 +166,8 @@ def noise_picture(rules: dict[str, Rule]) -> 'Canvas':
         far = rule.q[rule.q >= 10.0]
         axes.loglog(far, last[1]*last[0]/far, color=INK, linewidth=0.9, linestyle=':',
                     label='1/Q')
-        axes.set(xlabel='Q / c X c\u1d40', ylabel=f'\u2212k{name[0]}', title=f'{name.capitalize()} gain')
+        axes.set(xlabel='Q / c X c\u1d40', ylabel=f'\u2212k{name[0]}',
+                 title=f'{name.capitalize()} gain')
         axes.legend(loc='lower left')
     return figure
 

@@ -1,5 +1,6 @@
 """
-Figures of the mission's campaigns: which thruster's failure is survived, what the improvements bring.
+Figures of the mission's campaigns: which thruster's failure is survived, what the improvements
+bring.
 """
 
 from typing import Any, TYPE_CHECKING

@@ -48,7 +48,8 @@ class Columns:
             square = error[..., 0]**2 + error[..., 1]**2 + error[..., 2]**2
             setattr(self, name, getattr(self, name) + np.where(known, square, 0.0))
         self._count = self._count + known
-        self._drift = self._drift + np.where(known[..., np.newaxis], estimate.rate - truth.rate, 0.0)
+        error = np.where(known[..., np.newaxis], estimate.rate - truth.rate, 0.0)
+        self._drift = self._drift + error
         seen = known & np.isfinite(estimate.nis[..., 0])
         self._nis = self._nis + np.where(seen[..., np.newaxis], estimate.nis, 0.0)
         self._views = self._views + seen

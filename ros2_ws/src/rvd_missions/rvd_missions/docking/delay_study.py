@@ -4,9 +4,9 @@ What the predictor is worth: docking by hand through the link at several delays.
     ./rvd shell python -m rvd_missions.docking.delay_study [LOOP_S ...] [--runs N] [--display NAME]
 
 flies the scenario docking_delay in process, with the model pilot who looks at the predicted craft
-or at the delayed telemetry, and prints one row of a table for each: how far the display was from the
-true craft at the instant at which a command sent then acted (predicted / delayed, root mean square
-of one axis over all steps and runs), and how the runs went.
+or at the delayed telemetry, and prints one row of a table for each: how far the display was from
+the true craft at the instant at which a command sent then acted (predicted / delayed, root mean
+square of one axis over all steps and runs), and how the runs went.
 """
 
 import argparse

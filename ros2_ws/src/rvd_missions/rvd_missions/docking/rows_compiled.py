@@ -1,8 +1,8 @@
 """
 What the mission computes for each row in each step, for numba: fixed layouts, no checks.
 
-The same operations in the same order as `motion.attitude`, and so the same bits: a call of numpy for
-each of them costs a single run a hundred times what it computes. Arrays have rows N in front.
+The same operations in the same order as `motion.attitude`, and so the same bits: a call of numpy
+for each of them costs a single run a hundred times what it computes. Arrays have rows N in front.
 """
 
 import numpy as np

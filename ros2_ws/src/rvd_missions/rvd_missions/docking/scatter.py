@@ -52,8 +52,8 @@ class Scatter:
         0.0, 'Standard deviation of the liquid that moves in each tank, as a fraction.', low=0.0,
         high=1.0)
     slosh_rad_s: tuple = param(
-        (0.0, 0.0), 'Least and greatest frequency of each tank, all between equally likely; 0 and 0 '
-        'leave those of the tanks [rad/s].', low=0.0, high=100.0, length=2)
+        (0.0, 0.0), 'Least and greatest frequency of each tank, all between equally likely; 0 and '
+        '0 leave those of the tanks [rad/s].', low=0.0, high=100.0, length=2)
     centre_m: float = param(
         0.0, 'Length by which the centre of mass is off along each axis, its sign by chance [m].',
         low=0.0, high=1.0)

@@ -225,7 +225,7 @@ class SimpleCamera:
         normals = self._normals[..., row, :]
         lost = (self._chance[..., row, np.newaxis] < self._drop_out) | ~np.isfinite(offset[..., :1])
         place = attitude.rotate_back(turn, markers.TARGET_PORT - offset)
-        if self._off:                           # seen from where it is, taken for where it should be
+        if self._off:                          # seen from where it is, taken for where it should be
             thought, really = self._lens
             place = attitude.rotate_back(self._tilt, place - really) + thought
             turn = attitude.multiply(turn, self._tilt)

@@ -57,7 +57,8 @@ def display(start: StartParams, arrival: ArrivalParams, law: Rrca, form: Command
         charts=Charts('Course', (
             Chart('direction [deg]', (Number(GUIDANCE.name, 'direction', (0,), DEGREES),),
                   least=180.0),
-            Chart('range rate [m/s]', (Number(GUIDANCE.name, 'range_rate'),), least=0.1)), window_s=3600.0),
+            Chart('range rate [m/s]', (Number(GUIDANCE.name, 'range_rate'),), least=0.1)),
+            window_s=3600.0),
         modes=(), abort='coasting',
         goal='flying around at the range held' if law.flies_around else 'arriving near the target')
 

@@ -74,7 +74,8 @@ class Thrusters:
                     np.clip(demand.across, -most, most),
                     np.clip(gravity*z + p.rate_gain_per_s*out, -most, most))
         band = np.maximum(p.dead_band_m_s, p.dead_band_fraction*np.abs(demand.range_rate))
-        self._owed = self._owed + np.where(np.isfinite(demand.across), demand.across, 0.0)*self._step_s
+        known = np.isfinite(demand.across)
+        self._owed = self._owed + np.where(known, demand.across, 0.0)*self._step_s
         across = self._pulse(self._owed, band)
         self._owed = self._owed - across*self._step_s
         return self._pulse(error, band), across, self._pulse(out, band)

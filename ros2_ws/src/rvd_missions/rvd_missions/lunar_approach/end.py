@@ -14,8 +14,9 @@ def ended(step: int, state: ArrayLike, last_step: int, places: NDArray | None = 
     Return which runs end with this step, from the states (..., 6) alone; shape (...).
 
     A run ends where the chaser has reached the docking plane x = 0 or an obstacle (`places`
-    (..., M, 3), `radii` (M,)), at the time limit, or where the truth is no longer finite. Leaving the corridor does not end a run. The judge's own
-    `Judge.ended` remembers, and also knows of a plane or an obstacle that was reached and left between samples.
+    (..., M, 3), `radii` (M,)), at the time limit, or where the truth is no longer finite. Leaving
+    the corridor does not end a run. The judge's own `Judge.ended` remembers, and also knows of a
+    plane or an obstacle that was reached and left between samples.
     """
     state = np.asarray(state)
     over = ~(state[..., 0] < 0.0)

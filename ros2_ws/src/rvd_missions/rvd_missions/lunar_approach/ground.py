@@ -193,7 +193,8 @@ class CommandBlender:
 
     def __init__(self, sharing: Sharing, form: LevelForm, batch: tuple, block: Block) -> None:
         self._sharing, self._batch = sharing, batch
-        self._tells_reading, self._tells_mode = (name in block.writes for name in ('reading', 'mode'))
+        self._tells_reading = 'reading' in block.writes
+        self._tells_mode = 'mode' in block.writes
         self._nothing = STICK.initial(batch)
         self._neutral = np.broadcast_to(form.neutral, (*batch, len(form.neutral)))
 

@@ -15,7 +15,9 @@ SHAPES = 'rvd_dynamics.diagram.display.scene'
 
 
 def scene(scenario: Scenario) -> Any:
-    """Return the `Field` that markers draw besides the corridor; None where there is no obstacle."""
+    """
+    Return the `Field` that markers draw besides the corridor; None where there is no obstacle.
+    """
     spheres = obstacle_spheres(scenario.part('obstacles'), scenario.run)
     if not spheres:
         return None

@@ -53,8 +53,8 @@ class Obstacles(Spheres):
         (-19.0, 0.3, 0.1, -12.0, -0.3, -0.1),
         'Nominal position x, y, z of one obstacle after the other [m].')
     scatter_m: tuple = param(
-        (0.0, 0.0, 0.0), 'Standard deviations of an obstacle\'s position about its nominal one along '
-        'x, y and z, drawn for each run [m].', low=0.0, length=3)
+        (0.0, 0.0, 0.0), 'Standard deviations of an obstacle\'s position about its nominal one '
+        'along x, y and z, drawn for each run [m].', low=0.0, length=3)
     stop: StopParams = param(StopParams, 'What a stop short of an obstacle counts on.')
 
     def __post_init__(self) -> None:

@@ -41,8 +41,8 @@ class NavigationParams:
         '(filter), or filters where the link has a delay (auto).',
         choices=('auto', 'direct', 'filter'))
     covariance: str = param(
-        'auto', 'Covariance of the alarm: that of the start carried by the motion (open_loop), that '
-        'of the predictor (predicted), or the predictor\'s where there is one (auto).',
+        'auto', 'Covariance of the alarm: that of the start carried by the motion (open_loop), '
+        'that of the predictor (predicted), or the predictor\'s where there is one (auto).',
         choices=('auto', 'open_loop', 'predicted'))
     position_sigma_m: tuple = param(
         (0.1, 0.1, 0.1), 'Standard deviations of the relative position at the start along x, y and '
@@ -63,8 +63,8 @@ class NavigationParams:
         1e-5, 'Standard deviation of the acceleration of the chaser that the filter does not know '
         '[m/s^2].', low=0.0, high=1.0)
     gate_nis: float = param(
-        1e4, 'Normalised innovation squared of an obstacle above which its measurement is an outlier '
-        'and left out.', above=0.0)
+        1e4, 'Normalised innovation squared of an obstacle above which its measurement is an '
+        'outlier and left out.', above=0.0)
     gate_patience: int = param(
         10, 'Outliers of an obstacle in a row after which its filter begins anew.', low=1)
 

@@ -79,8 +79,8 @@ class Obstacles(Spheres):
     """What is known of the obstacles before the flight: how many, how large, how they move."""
 
     motion: tuple = param(
-        (STATIC, STATIC, STATIC), 'How each obstacle moves: static in the frame of the target, or on '
-        'an orbit of its own.', choices=MOTIONS)
+        (STATIC, STATIC, STATIC), 'How each obstacle moves: static in the frame of the target, or '
+        'on an orbit of its own.', choices=MOTIONS)
 
     def __post_init__(self) -> None:
         Spheres.__post_init__(self)

@@ -29,8 +29,8 @@ class ObstacleStates:
         (35.17, -7.37, -17.58, 22.82, -5.01, -11.41, 11.39, -2.62, -5.70),
         'Position x, y, z of one obstacle after the other [m].')
     velocity_m_s: tuple = param(
-        (0.0,), 'Velocity x, y, z of one obstacle after the other, where a single 0 means that none '
-        'moves [m/s].')
+        (0.0,), 'Velocity x, y, z of one obstacle after the other, where a single 0 means that '
+        'none moves [m/s].')
 
     def states(self, obstacles: Obstacles) -> NDArray[np.float64]:
         """
@@ -61,7 +61,8 @@ class Scatter:
     position_m: float = param(
         0.0, 'Standard deviation of each component of the start position [m].', low=0.0, high=100.0)
     velocity_m_s: float = param(
-        0.0, 'Standard deviation of each component of the start velocity [m/s].', low=0.0, high=10.0)
+        0.0, 'Standard deviation of each component of the start velocity [m/s].', low=0.0,
+        high=10.0)
     obstacle_m: float = param(
         0.0, 'Standard deviation of each component of an obstacle\'s position [m].', low=0.0,
         high=100.0)

@@ -48,8 +48,8 @@ class ObserverParams:
         7e-4, 'Noise of each inertial angle of the bearing, that of the attitude included [rad].',
         above=0.0)
     gate_nis: float = param(
-        1e4, 'Innovation squared over its variance above which a measurement is an outlier and left '
-        'out.', above=0.0)
+        1e4, 'Innovation squared over its variance above which a measurement is an outlier and '
+        'left out.', above=0.0)
     gate_patience: int = param(
         10, 'Outliers of one kind in a row after which the next measurement is taken, with a '
         'covariance made wide enough for it.', low=1)

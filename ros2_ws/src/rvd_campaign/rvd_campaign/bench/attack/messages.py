@@ -129,7 +129,9 @@ class Rig:
             host.raise_error()
 
     def draw(self) -> None:
-        """Draw the pictures of now; by itself their node rests meanwhile, and all others with it."""
+        """
+        Draw the pictures of now; by itself their node rests meanwhile, and all others with it.
+        """
         for name, node in self.nodes.items():
             if name == MARKERS and not node.host.ended:
                 for timer in node.timers:

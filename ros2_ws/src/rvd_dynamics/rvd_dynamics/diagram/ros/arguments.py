@@ -141,4 +141,5 @@ def _check_words(words: list[str]) -> None:
             of_ros = False
         elif not of_ros:
             raise BadInput(f'unknown argument {word!r}: a node takes ROS arguments, after '
-                           '--ros-args, such as --params-file FILE, -p NAME:=VALUE, -r __node:=NAME')
+                           '--ros-args, such as --params-file FILE, -p NAME:=VALUE, '
+                           '-r __node:=NAME')

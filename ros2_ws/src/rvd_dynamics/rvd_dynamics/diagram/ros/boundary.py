@@ -3,8 +3,8 @@ The boundary of a reader: what comes from another process is looked at once, her
 
 Every field that the reader uses is held against the declaration of its signal (`diagram.limits`),
 against its codec, which knows the fields of the message that go into no value, and against what
-steps there can be (`horizon`). What cannot be is refused: it counts as not there, is counted, and is
-said once. Nothing that comes in a message ends a process.
+steps there can be (`horizon`). What cannot be is refused: it counts as not there, is counted, and
+is said once. Nothing that comes in a message ends a process.
 """
 
 from collections.abc import Callable

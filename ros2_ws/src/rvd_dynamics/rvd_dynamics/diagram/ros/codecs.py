@@ -244,7 +244,9 @@ class Stick(Codec):
             *divmod(k * self.run.step_ns, NS_PER_S), *axes, *buttons)
 
     def _moved(self, value: Any) -> tuple[list[float], list[int]]:
-        """Return axes and buttons of a stick at these levels; of one that nobody holds if invalid."""
+        """
+        Return axes and buttons of a stick at these levels; of one that nobody holds if invalid.
+        """
         axes, buttons = stick_axes([level / HIGHEST for level in value.command.tolist()],
                                    bool(value.valid), self._stick)
         if not value.valid and self._stick.deadman_button < 0:      # no button to say it with

@@ -12,7 +12,8 @@ the newest step seen, for messages that belong to none), its publish time is wal
 that never came, and messages that the disk did not take, are counted per topic and the counts
 stored as metadata records `rvd_missing` and `rvd_lost`. A message of a ring topic whose step cannot
 be, or after which its writer does not go on, is refused and not stored. What `fly` sees of the
-processes of the run (SILENT, ENDED_EARLY, GIVEN_UP) is stored with the events, though nobody publishes it.
+processes of the run (SILENT, ENDED_EARLY, GIVEN_UP) is stored with the events, though nobody
+publishes it.
 """
 
 import struct

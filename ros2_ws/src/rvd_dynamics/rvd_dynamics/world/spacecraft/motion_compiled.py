@@ -29,7 +29,8 @@ from rvd_dynamics.compiled import compiled
 # Positions in a state; modes follow from FLEX on, each panel's, then each tank's, then the drives.
 X, V, QT, WT, QC, WC, FLEX = 0, 3, 6, 10, 13, 17, 20
 # Positions in a row of properties. First the hub's matrix [A, B; B^T, J + I], symmetric parts as
-# six numbers: J is the inertia at rest, I what elimination takes from it; then the target's inertia.
+# six numbers: J is the inertia at rest, I what elimination takes from it; then the target's
+# inertia.
 A, B, I, J, TARGET, PARTS = 0, 6, 15, 21, 27, 33
 # In a panel's part, then four numbers for each mode: a, d, 2 xi omega, omega^2.
 ROOT, SPAN, NORMAL, CHORD, SUMS, MODES = 0, 3, 6, 9, 10, 13

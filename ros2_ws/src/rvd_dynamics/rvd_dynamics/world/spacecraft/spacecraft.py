@@ -79,8 +79,8 @@ class Spacecraft:
         require_inertia('target inertia', self.target_inertia)
         least = float(np.linalg.eigvalsh(self.mass_matrix)[..., 0].min())
         if not least > 0.0:
-            raise BadInput('the mass matrix must be positive definite, that is, panels and tanks have '
-                           f'less inertia than all of the craft; least eigenvalue {least:.3g}')
+            raise BadInput('the mass matrix must be positive definite, that is, panels and tanks '
+                           f'have less inertia than all of the craft; least eigenvalue {least:.3g}')
 
     # -- states -----------------------------------------------------------------------------------
 

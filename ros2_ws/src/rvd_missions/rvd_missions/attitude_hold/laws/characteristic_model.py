@@ -80,7 +80,9 @@ class Identifier:
         return self.estimate.f1*y1 + self.estimate.f2*y2 + self.estimate.b*v
 
     def learn(self, y: Array, past: tuple[Array, Array, Array], allowed: Array) -> Estimate:
-        """Take y(k) [deg] and what preceded it, in the rows where it is allowed; return the estimate."""
+        """
+        Take y(k) [deg] and what preceded it, in the rows where it is allowed; return the estimate.
+        """
         residual = y - self.predicted(past)
         excess = residual - np.clip(residual, -self._dead_zone, self._dead_zone)
         learns = allowed & (excess != 0.0) & np.isfinite(excess)
