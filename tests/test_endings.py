@@ -171,18 +171,6 @@ def test_what_processes_answer_to_the_end_of_the_bring_up_is_no_failure_of_their
         flight._supervisor.stop()
 
 
-def test_a_run_whose_silent_process_comes_back_has_time_to_make_its_next_step():
-    """One that compiles for a minute made no step meanwhile; it was given up as it came back."""
-    flight = object.__new__(fly.Flight)
-    flight._run = parse('{}', 'plain').run
-    flight._watch = SimpleNamespace(steps=1, verdict=None, paused=False, progress_at=0.0)
-    flight._vigil = SimpleNamespace(waits=True)
-    assert not flight._stalled(61.0)
-    flight._vigil.waits = False
-    assert not flight._stalled(61.2) and not flight._stalled(71.0)
-    assert flight._stalled(71.2)                # the twin: nobody is silent, and still no step
-
-
 def test_what_only_a_node_can_refuse_is_told_in_one_line(tmp_path):
     (tmp_path / 's.yaml').write_text("""
 /**: {ros__parameters: {mission: docking, panels: {mass_kg: 3000.0}}}
@@ -201,10 +189,11 @@ def after_a_flight(monkeypatch, folder, spin):
     flight = object.__new__(fly.Flight)
     flight._scenario = parse('{}', 'plain')
     flight._run_dir, flight._headless, flight._on_line = folder, True, False
-    flight._roster = SimpleNamespace(diagram=SimpleNamespace(externals=()))
+    flight._roster = SimpleNamespace(diagram=SimpleNamespace(externals=()), processes=())
     flight._supervisor = supervisor = SimpleNamespace(
         pids={'a': 1, 'link_forward': 2}, codes={'a': 0}, ended=False, failures=dict,
-        end_if_left=lambda names: None, let_go_on=list, pulse=SimpleNamespace(flown=3),
+        end_if_left=lambda names: None, let_go_on=list,
+        pulse=SimpleNamespace(flown=3, final=9),
         left=lambda: {n: p for n, p in supervisor.pids.items() if n not in supervisor.codes})
     flight._run = SimpleNamespace(pace='lockstep', step_s=0.5)
     flight._vigil = SimpleNamespace(look=list, waits=False)
@@ -285,11 +274,12 @@ def test_who_comes_back_gets_the_time_to_make_a_step(waited):
     assert flight._stalled(290.1)
 
 
-@pytest.mark.parametrize('final, said', [
-    (-1, 'law ended before the run was over'),
-    (9, 'the run ended without a verdict: mission_monitor ended and had given none')])
-def test_who_ended_while_the_plant_knew_of_no_last_step_is_named(
-        final, said, monkeypatch, tmp_path, capsys):
+@pytest.mark.parametrize('final, early, said, words', [
+    (-1, False, 'law ended before the run was over', 'the run is not over'),
+    (9, True, 'law ended before the run was over', 'its work was not done'),
+    (9, False, 'the run ended without a verdict: mission_monitor ended and had given none', '')])
+def test_who_ended_before_it_should_have_is_named(
+        final, early, said, words, monkeypatch, tmp_path, capsys):
     flight = object.__new__(fly.Flight)
     flight._scenario = parse('{}', 'plain')
     flight._headless, flight._on_line, flight._stop_asked = True, False, lambda: False
@@ -298,6 +288,7 @@ def test_who_ended_while_the_plant_knew_of_no_last_step_is_named(
                                      processes=(Process('law', '', '', ('law',), False),))
     page = Pulse()
     page.flown, page.final = 3, final
+    page.leave(0, early)
     flight._run = SimpleNamespace(step_s=0.5)
     flight._supervisor = SimpleNamespace(codes={'law': 0}, ended=True, failures=dict, ended_by=str,
                                          complaint=str, pulse=page)
@@ -305,9 +296,9 @@ def test_who_ended_while_the_plant_knew_of_no_last_step_is_named(
     monkeypatch.setattr(flight, '_look', lambda s: 0.0)
     monkeypatch.setattr(flight, '_outcome', lambda: (None, {}))
     assert flight._follow() == said
-    out = 'law has ended, and the run is not over'
-    assert (out in capsys.readouterr().out) == (final < 0)
-    assert page.heard(0)[0] == ([('ENDED_EARLY', 3, out)] if final < 0 else [])
+    out = f'law has ended, and {words}'
+    assert (out in capsys.readouterr().out) == bool(words)
+    assert page.heard(0)[0] == ([('ENDED_EARLY', 3, out)] if words else [])
 
 
 @pytest.mark.parametrize('final', [True, False])
@@ -318,9 +309,10 @@ def test_a_node_that_fails_when_the_bag_has_the_verdict_takes_nothing_with_it(
     flight._scenario = parse('{}', 'plain')
     flight._headless, flight._on_line, flight._stop_asked = True, False, lambda: False
     flight._run_dir = tmp_path
-    flight._roster = SimpleNamespace(diagram=SimpleNamespace(externals=()))
+    flight._roster = SimpleNamespace(diagram=SimpleNamespace(externals=()), processes=())
     flight._supervisor = SimpleNamespace(pids={'world': 1}, codes={'world': 1}, ended=True,
-                                         failures=lambda: {'world': 1}, left=dict, ended_by=str)
+                                         failures=lambda: {'world': 1}, left=dict, ended_by=str,
+                                         pulse=SimpleNamespace(final=9))
     flight._vigil = SimpleNamespace(look=list)
     flight._watch = SimpleNamespace(spin=lambda s: None, new_events=list, steps=0, verdict=None,
                                     strangers=[])

@@ -31,6 +31,7 @@ TEXT = 1 << 16                  # [bytes] of all that is said in a run: some hun
 MARKS = 512                     # [bytes] before it, one for each topic of the run
 COUNTS = 3                      # topics on which messages are counted
 NO_STEP = -1
+LEFT, LEFT_EARLY = 0, -1         # instead of the time of a beat
 
 
 class Pulse:
@@ -79,13 +80,21 @@ class Pulse:
         """Note that a process lives at `now_ns` of `time.monotonic_ns`."""
         self._words[FIRST + place] = now_ns
 
-    def leave(self, place: int) -> None:
-        """Note that a process has done its work: what it does from now on is nobody's concern."""
-        self._words[FIRST + place] = 0
+    def leave(self, place: int, early: bool = False) -> None:
+        """
+        Note that a process goes: what it does from now on is nobody's concern.
+
+        `early`: it was told to, and has not done all of its work.
+        """
+        self._words[FIRST + place] = LEFT_EARLY if early else LEFT
+
+    def left_early(self, place: int) -> bool:
+        """Say whether a process has gone before its work was done."""
+        return self._words[FIRST + place] == LEFT_EARLY
 
     def beaten_s(self, place: int) -> float | None:
         """Return when a process has beaten last [s, time.monotonic]; None before and after."""
-        return self._words[FIRST + place] / 1e9 or None
+        return max(self._words[FIRST + place], 0) / 1e9 or None
 
     def write(self, place: int, count: int) -> None:
         """Note, before it is sent, that a process writes a message on a topic that is counted."""

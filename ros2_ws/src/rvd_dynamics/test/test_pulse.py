@@ -27,6 +27,9 @@ def test_what_a_process_notes_the_one_that_made_the_page_sees():
     assert page.marked == [7]
     assert begun < page.beaten_s(1) < time.monotonic()          # one clock for all
     assert (page.beaten_s(0), page.beaten_s(2), page.flown, page.final) == (None, None, 7, 9)
+    assert not any(page.left_early(place) for place in range(3))
+    page.leave(1, early=True)
+    assert page.beaten_s(1) is None and page.left_early(1)
     with pytest.raises(PermissionError):        # nobody can take it from under the others
         os.ftruncate(page.file, 0)
     page.handed_on()
@@ -42,7 +45,8 @@ def test_what_each_process_counts_is_added_up_for_each_topic():
     page.mark(0)
     for place, begins in ((0, True), (1, False)):
         page.compile(place, begins, 7_000_000_000)
-    assert [page.compiled_s(place) for place in range(3)] == [(True, 7.0), (False, 7.0), (False, 0.0)]
+    assert [page.compiled_s(place) for place in range(3)] == [
+        (True, 7.0), (False, 7.0), (False, 0.0)]
     page.say('SILENT', 1, 'law')
     assert [page.written(count) for count in range(pulse.COUNTS)] == [1, 6, 0]
     assert (page.flown, page.final, page.lost, page.beaten_s(1)) == (-1, -1, 0, None)

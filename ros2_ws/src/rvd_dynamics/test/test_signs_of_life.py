@@ -33,3 +33,4 @@ def test_a_process_is_silent_for_as_long_as_its_work_takes_and_no_longer(held, r
     assert rclpy.ok() and len(beats) > 3
     assert (max(gaps) > HELD_S) if held else max(gaps) < HELD_S
     assert host._pulse.beaten_s(0) is None      # it has left: what it does is nobody's concern
+    assert host._pulse.left_early(0)            # stopped by the test, before a run had begun

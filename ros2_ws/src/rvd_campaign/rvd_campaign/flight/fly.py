@@ -194,14 +194,19 @@ class Flight:
                       if code == 0 and name not in foreign)
 
     def _say_who_is_early(self, gone: list[str]) -> None:
-        """Say which nodes have ended well, as if told to, while the plant knows of no last step."""
-        if not gone or self._supervisor.pulse.final >= 0:
-            return
-        words = {process.name: vigil.in_words(process) for process in self._roster.processes}
-        for name in gone:
-            if name not in self._early:
+        """
+        Say which nodes have ended well, as if told to, before they should have.
+
+        That is while the plant knows of no last step, or if the process says that it had more to do.
+        """
+        page, processes = self._supervisor.pulse, self._roster.processes
+        for place, process in enumerate(processes if gone else ()):
+            flies, name = page.final < 0, process.name
+            if name in gone and name not in self._early and (flies or page.left_early(place)):
                 self._early.append(name)
-                self._say(f'{words[name]} has ended, and the run is not over', ENDED_EARLY)
+                self._say(f'{vigil.in_words(process)} has ended, and '
+                          f'{"the run is not over" if flies else "its work was not done"}',
+                          ENDED_EARLY)
 
     def _look(self, seconds: float) -> float:
         """
@@ -282,12 +287,14 @@ class Flight:
         deadline, written = time.monotonic() + END_S, self._written()
         foreign = {e.name for e in self._roster.diagram.externals if e.foreign}
         while not self._supervisor.ended and time.monotonic() < deadline:
+            self._say_who_is_early(self._gone())
             self._supervisor.end_if_left(foreign)
             for name in self._supervisor.let_go_on():
                 self._say(f'{name} was stopped; the run is over, and it is let go on')
             deadline += self._look(SHOW_S)
             if self._written() != written:
                 deadline, written = time.monotonic() + END_S, self._written()
+        self._say_who_is_early(self._gone())
         late = sorted(self._supervisor.left())
         if late:
             self._end_line()

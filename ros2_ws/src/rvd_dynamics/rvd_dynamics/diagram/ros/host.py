@@ -340,7 +340,7 @@ class Host:
                 except Exception as error:      # noqa: B902 - of the block that fired last
                     self.fail(self._lead, error)
         finally:
-            self._pulse.leave(self._place)
+            self._pulse.leave(self._place, early=not self._ended)
             executor.shutdown(timeout_sec=0.0)
         self.raise_error()
 
