@@ -112,7 +112,7 @@ def test_a_writer_that_lives_a_moment_ends_the_flight_as_not_to_be_trusted(
     assert all(f'a second writer on {topic}: ' in m.text for m in said)
     assert f'Not to be trusted: {words}.' in (tmp_path / 'run' / 'report.html').read_text()
     (tmp_path / 'run' / 'verdict.json').unlink()        # the bag alone says it, too
-    assert f'Not to be trusted: {said[0].text}.' in page(read(tmp_path / 'run'))
+    assert f'Not to be trusted: {said[-1].text}.' in page(read(tmp_path / 'run'))
     noticed = min(stored.publish_ns for file in files_of(tmp_path / 'run')
                 for stored in MessageFile(file, {'/run/events'})
                 if stored.message.code == SECOND_WRITER)

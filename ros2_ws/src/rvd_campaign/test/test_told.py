@@ -8,8 +8,9 @@ from small_run import messages, write_run
 
 from rvd_campaign.flight import verdict
 from rvd_campaign.report.run import write_report
-from rvd_campaign.report.told import Told, told_by
+from rvd_campaign.report.told import once, Told, told_by
 from rvd_dynamics.bad_input import BadInput
+from rvd_dynamics.diagram.roster import NAMELESS
 
 WHY = 'bag_recorder was ended by signal 9'
 SILENT = 'link_back has given no sign of life for 2.1 s: it hangs'
@@ -81,3 +82,10 @@ def verdict_that(final):
     found = next(m for topic, _, m in reversed(list(messages())) if topic == '/run/verdict')
     found.final, found.success = final, True
     return found
+
+
+def test_of_a_second_writer_the_name_is_said_by_whomever_it_was_seen():
+    named, nameless = 'a second writer on /joy: node x', f'a second writer on /joy: {NAMELESS}'
+    other = f'a second writer on /run/end: {NAMELESS}'
+    assert once([nameless, named, other, named]) == [named, other]
+    assert once([nameless, nameless]) == [nameless]

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from rvd_campaign.report.figures import figures_of
 from rvd_campaign.report.page import Drawn, render
-from rvd_campaign.report.told import given_up, is_in, Told, told_by
+from rvd_campaign.report.told import given_up, is_in, once, Told, told_by
 from rvd_dynamics.bad_input import BadInput, one_line
 from rvd_dynamics.commands import codes
 from rvd_dynamics.diagram.judge import Judged
@@ -88,8 +88,7 @@ def page(run: Recording, doubts: Iterable[str] = (), told: Told = Told()) -> str
     """
     series = _AsFarAsReadable(run)
     run = replace(run, series=series)
-    doubts = list(dict.fromkeys([*doubts, *(e.text for e in run.events
-                                            if e.code == SECOND_WRITER)]))
+    doubts = once([*doubts, *(e.text for e in run.events if e.code == SECOND_WRITER)])
     mark, kind = '?', 'open'
     if run.judged and not doubts:
         mark, kind = (YES, 'good') if run.verdict.success else (NO, 'bad')

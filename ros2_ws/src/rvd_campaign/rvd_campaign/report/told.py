@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from rvd_dynamics.bad_input import BadInput, one_line
-from rvd_dynamics.diagram.roster import GIVEN_UP
+from rvd_dynamics.diagram.roster import GIVEN_UP, NAMELESS
 from rvd_dynamics.given import object_of
 from rvd_dynamics.recording.recording import Recording
 
@@ -62,3 +62,9 @@ def is_in(sentence: str, events: Sequence[Any]) -> bool:
 
 def _list(value: Any) -> list[Any]:
     return value if isinstance(value, list) else []
+
+
+def once(doubts: Sequence[str]) -> list[str]:
+    """Return each doubt once; of a writer without a name only what nobody has named."""
+    return [doubt for doubt in dict.fromkeys(doubts) if not doubt.endswith(NAMELESS) or not any(
+        other != doubt and other.startswith(doubt.removesuffix(NAMELESS)) for other in doubts)]

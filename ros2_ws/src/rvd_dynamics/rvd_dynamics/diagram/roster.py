@@ -45,6 +45,7 @@ COUNTED = ('/run/pause', '/run/end', '/run/events')
 # Where programs of any make say something, too, and no node of a run obeys.
 FOR_ALL = ('/diagnostics', '/tf', '/tf_static')
 SECOND_WRITER, ALSO_WRITES = 'SECOND_WRITER', 'ALSO_WRITES'     # events: on other topics, and there
+NAMELESS = 'a node without a name'      # how the words on one end of which no name is known
 # Events of who follows a run: a process without a sign of life, or that ended; an end of the
 # flight.
 SILENT, ENDED_EARLY, GIVEN_UP = 'SILENT', 'ENDED_EARLY', 'GIVEN_UP'

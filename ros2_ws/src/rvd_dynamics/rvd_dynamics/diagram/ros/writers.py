@@ -18,7 +18,7 @@ import time
 from typing import Any, NamedTuple
 
 from rvd_dynamics.diagram.identity import AREA
-from rvd_dynamics.diagram.roster import ALSO_WRITES, Roster, SECOND_WRITER
+from rvd_dynamics.diagram.roster import ALSO_WRITES, NAMELESS, Roster, SECOND_WRITER
 
 LOOK_S = 0.1                    # [s] wall time between two looks at the numbers of writers
 NAMED_S = 0.25                  # [s] wall time in which one is seen who has left a trace
@@ -29,7 +29,6 @@ LATE_S = 5.0                    # [s] the same where one of the run's own has no
 # [s] wall time that nodes of another run get to leave, which they do when they see this one
 OTHER_RUN_S = 15.0
 UNKNOWN_NODE = '_NODE_NAME_UNKNOWN_'    # rmw: of a writer that was seen before its node
-NAMELESS = 'a node without a name'
 OF_ANY_NODE = ('/parameter_events', '/rosout')      # every node of ROS writes on one of them
 MANY = 100                      # strangers that are told: who makes more need not be told of more
 LOAD = Path('/proc/loadavg')
