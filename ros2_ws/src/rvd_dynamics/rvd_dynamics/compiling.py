@@ -12,7 +12,7 @@ _depth = 0                              # of loops that are being compiled: one 
 
 
 def follow(follower: Callable[[bool], None] | None) -> None:
-    """From now on tell `follower`, and nobody else, when this process compiles: True, then False."""
+    """From now on tell `follower` alone when this process compiles: True, then False."""
     global _follower
     _follower = follower
 

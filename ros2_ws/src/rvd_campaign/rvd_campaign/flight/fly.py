@@ -197,7 +197,8 @@ class Flight:
         """
         Say which nodes have ended well, as if told to, before they should have.
 
-        That is while the plant knows of no last step, or if the process says that it had more to do.
+        That is while the plant knows of no last step, or if the process says that it had more to
+        do.
         """
         page, processes = self._supervisor.pulse, self._roster.processes
         for place, process in enumerate(processes if gone else ()):

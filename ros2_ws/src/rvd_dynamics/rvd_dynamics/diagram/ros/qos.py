@@ -3,8 +3,9 @@ Qualities of service, named by what they are for.
 
 Ring topics are reliable and remembered, so that the order in which nodes come up does not
 matter; nor does it if a reader loses its writer for a while, as after a pause over the network.
-`/clock` is one of them, for the recorder's sake. Histories are deep because a reader that is flooded loses messages silently when its
-queue is short (measured: 7 of 91 runs with depth 10, 0 of 12 with 2,000).
+`/clock` is one of them, for the recorder's sake. Histories are deep because a reader that is
+flooded loses messages silently when its queue is short (measured: 7 of 91 runs with depth 10, 0 of
+12 with 2,000).
 """
 
 from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile, ReliabilityPolicy
