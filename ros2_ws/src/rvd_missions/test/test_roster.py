@@ -126,6 +126,14 @@ def test_a_console_may_watch_any_run_and_holds_the_stick_where_it_is_the_operato
 
 # -- processes ---------------------------------------------------------------------------------
 
+def test_where_a_console_writes_the_page_of_the_run_does_not_count(run):
+    """It was there before the page: what it said on /run/events passed for a stranger's."""
+    watched = listed(scenario(*run), headless=True, console=True)
+    assert watched.counted == {'/run/pause', '/run/end'}
+    nobody = listed(scenario('model', *run[1:]), headless=True)
+    assert nobody.counted == {'/run/pause', '/run/end', '/run/events'}
+
+
 def test_every_node_has_one_process_and_externals_have_their_own(run):
     roster = whole(run)
     held = [node for process in roster.processes for node in process.nodes]

@@ -189,8 +189,9 @@ class FlightWatch:
                     self._note(stranger.words)
 
     def _written(self, topic: str) -> int | None:
-        """Return how many messages the run has written on a topic that is counted."""
-        return self._page.written(COUNTED.index(topic)) if self._page.inherits else None
+        """Return how many messages the run has written on a topic; None: that is not counted."""
+        return (self._page.written(COUNTED.index(topic))
+                if self._page.inherits and topic in self._roster.counted else None)
 
     def _look_for_traces(self, last: bool = False) -> None:
         for topic in self._traces.look(last):   # the monitor is to know of it, too

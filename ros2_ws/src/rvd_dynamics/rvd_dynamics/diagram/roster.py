@@ -162,6 +162,16 @@ class Roster:
             found |= set(self.externals[name].writes)
         return frozenset(found)
 
+    @cached_property
+    def counted(self) -> frozenset[str]:
+        """
+        The topics of COUNTED on which every writer of this run notes what it writes on its page.
+
+        A console that outlives runs has been there before the page of one.
+        """
+        ours = [n for n in self.names if n in self.externals and not self.externals[n].foreign]
+        return frozenset(COUNTED).difference(COMMON if ours else (), *map(self.writes, ours))
+
     def reads(self, name: str) -> frozenset[str]:
         """Return all topics that a node reads."""
         found: set[str] = set()

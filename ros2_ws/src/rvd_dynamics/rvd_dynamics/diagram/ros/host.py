@@ -256,8 +256,9 @@ class Host:
                 self.event(self._lead, SECOND_WRITER, Stranger(topic, '', False, True).words)
 
     def _written(self, topic: str) -> int | None:
-        """Return how many messages the run has written on one of COUNTED; None by hand."""
-        return self._pulse.written(COUNTED.index(topic)) if self._is_told else None
+        """Return how many messages the run has written on a topic; None: that is not counted."""
+        return (self._pulse.written(COUNTED.index(topic))
+                if self._is_told and topic in self.roster.counted else None)
 
     @property
     def traced(self) -> list[str]:
