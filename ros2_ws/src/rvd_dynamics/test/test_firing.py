@@ -283,7 +283,8 @@ def test_in_real_time_a_jump_fires_every_step_between(guard, monkeypatch):
     assert given('guard', 5) == [1.0, 2.0, 0.5, 4.0]
 
 
-def test_in_real_time_the_world_waits_half_a_step_for_its_thrust_and_no_longer(monkeypatch):
+def world_by(monkeypatch):
+    """Return a clock that the test sets, and a world in real time by it, with steps of 1 s."""
     clock = SimpleNamespace(now=0.0)
     monkeypatch.setattr(plant_node, 'time', SimpleNamespace(monotonic=lambda: clock.now))
     host = Host(arguments(toy_mission.scenario(pace='realtime')))
@@ -291,6 +292,11 @@ def test_in_real_time_the_world_waits_half_a_step_for_its_thrust_and_no_longer(m
     make(host, ('plant',))
     world = host.nodes['plant']
     world._step_s, world._origin, world._looked = 1.0, 0.0, 0.0
+    return clock, world
+
+
+def test_in_real_time_the_world_waits_half_a_step_for_its_thrust_and_no_longer(monkeypatch):
+    clock, world = world_by(monkeypatch)
     late = []
     monkeypatch.setattr(world._lateness, 'add', late.append)
 
@@ -315,13 +321,7 @@ def test_in_real_time_the_world_waits_half_a_step_for_its_thrust_and_no_longer(m
 @pytest.mark.parametrize('where', ['between two looks', 'within a step', 'before a step goes out'])
 def test_a_world_that_stood_still_goes_on_from_where_it_was(monkeypatch, where):
     """Stopped wherever it may be, it makes one step in the next 1.25 s, which is one step long."""
-    clock = SimpleNamespace(now=0.0)
-    monkeypatch.setattr(plant_node, 'time', SimpleNamespace(monotonic=lambda: clock.now))
-    host = Host(arguments(toy_mission.scenario(pace='realtime')))
-    host.begun = True
-    make(host, ('plant',))
-    world = host.nodes['plant']
-    world._step_s, world._origin, world._looked = 1.0, 0.0, 0.0
+    clock, world = world_by(monkeypatch)
     events = []
     monkeypatch.setattr(world, 'event', lambda code, text: events.append((code, text)))
 
@@ -329,6 +329,7 @@ def test_a_world_that_stood_still_goes_on_from_where_it_was(monkeypatch, where):
         monkeypatch.setattr(*restored)
         clock.now += 24.0
         return restored[2](*arguments)
+    host = world.host
     restored = {'within a step': (host, 'work', host.work),
                 'before a step goes out': (host, 'publish', host.publish)}.get(where)
     try:
