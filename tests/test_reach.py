@@ -14,8 +14,9 @@ from rvd_campaign.flight.domain import reserved_domain
 
 LOOPBACK = str(ROOT / reach.OURS)
 ALONE = {reach.RANGE: 'SYSTEM_DEFAULT', reach.PROFILES: LOOPBACK, reach.SKIP: '1'}
+OPEN = {reach.TRANSPORTS: reach.UDP}            # where another than our file of profiles decides
 NAMES = (reach.RANGE, reach.PROFILES, reach.SKIP, reach.ONLY_LOCAL, reach.STATIC_PEERS,
-         'RMW_IMPLEMENTATION')
+         reach.TRANSPORTS, 'RMW_IMPLEMENTATION')
 # What a user has set; what it becomes; a word of the line that he gets, empty: none.
 CASES = [
     ({}, ALONE, ''),
@@ -24,13 +25,17 @@ CASES = [
     ({**ALONE, reach.PROFILES: f'/another/checkout/{reach.OURS}'}, ALONE, ''),
     ({reach.ONLY_LOCAL: '1'}, ALONE, ''),
     ({reach.STATIC_PEERS: '10.0.0.7'}, {**ALONE, reach.STATIC_PEERS: '10.0.0.7'}, '10.0.0.7'),
-    ({reach.RANGE: 'SUBNET'}, {reach.RANGE: 'SUBNET'}, 'RANGE=SUBNET: open to the network'),
-    ({**ALONE, reach.RANGE: 'SUBNET'}, {reach.RANGE: 'SUBNET', reach.SKIP: '1'},
+    ({reach.RANGE: 'SUBNET'}, {**OPEN, reach.RANGE: 'SUBNET'}, 'RANGE=SUBNET: open to the network'),
+    ({reach.RANGE: 'SUBNET', reach.TRANSPORTS: 'DEFAULT'},
+     {reach.RANGE: 'SUBNET', reach.TRANSPORTS: 'DEFAULT'}, 'open to the network'),
+    ({**ALONE, reach.RANGE: 'SUBNET'}, {**OPEN, reach.RANGE: 'SUBNET', reach.SKIP: '1'},
      'open to the network'),
-    ({reach.RANGE: 'SYSTEM_DEFAULT'}, {reach.RANGE: 'SYSTEM_DEFAULT'}, 'open to the network'),
-    ({reach.PROFILES: '/my.xml'}, {reach.RANGE: 'LOCALHOST', reach.PROFILES: '/my.xml'}, '/my.xml'),
+    ({reach.RANGE: 'SYSTEM_DEFAULT'}, {**OPEN, reach.RANGE: 'SYSTEM_DEFAULT'},
+     'open to the network'),
+    ({reach.PROFILES: '/my.xml'},
+     {**OPEN, reach.RANGE: 'LOCALHOST', reach.PROFILES: '/my.xml'}, '/my.xml'),
     ({**ALONE, 'RMW_IMPLEMENTATION': 'rmw_cyclonedds_cpp'},
-     {reach.RANGE: 'LOCALHOST', reach.SKIP: '1', 'RMW_IMPLEMENTATION': 'rmw_cyclonedds_cpp'},
+     {**OPEN, reach.RANGE: 'LOCALHOST', reach.SKIP: '1', 'RMW_IMPLEMENTATION': 'rmw_cyclonedds_cpp'},
      'rmw_cyclonedds_cpp'),
 ]
 
@@ -48,6 +53,7 @@ def test_the_network_is_opened_on_purpose_and_that_is_said(given):
     settled = dict(given)
     line = reach.settle(True, settled)
     assert settled[reach.RANGE] == 'SUBNET'
+    assert settled[reach.TRANSPORTS] == given.get(reach.TRANSPORTS, reach.UDP)
     assert settled.get(reach.PROFILES) == (given.get(reach.PROFILES) if given.get(
         reach.PROFILES) == '/my.xml' else None)
     assert line.startswith('--network: open to the network')

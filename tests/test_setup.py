@@ -36,7 +36,7 @@ def outside():
     """Return the environment of a user who has not loaded the project, without a ROS 2."""
     names = re.compile(r'VIRTUAL_ENV|PYTHON.*|LD_LIBRARY_PATH|(AMENT|CMAKE|COLCON)_PREFIX_PATH|'
                        r'ROS_.*|RVD_.*|_ROS_WHEELS_BOOTSTRAP_COMPLETE|CI|'
-                       r'FASTRTPS_.*|SKIP_DEFAULT_XML_FILE')
+                       r'FASTRTPS_.*|FASTDDS_.*|SKIP_DEFAULT_XML_FILE')
     ours = {name: value for name, value in os.environ.items() if not names.fullmatch(name)}
     path = [entry for entry in ours['PATH'].split(':') if '/.rvd/' not in entry]
     return {**ours, 'PATH': ':'.join(path), 'RVD_ROS_PREFIX': 'none'}
@@ -498,9 +498,10 @@ def test_the_environment_is_complete_and_its_own(ready):
         f'SYSTEM_DEFAULT {project}/config/fastdds_loopback.xml 1 {project}'
     assert python == f'{project}/.rvd/venv/bin/python'
     assert paths and all(path.startswith(f'{project}/.rvd/') for path in paths)
-    asked = 'echo $ROS_AUTOMATIC_DISCOVERY_RANGE ${FASTRTPS_DEFAULT_PROFILES_FILE-none}'
+    asked = ('echo $ROS_AUTOMATIC_DISCOVERY_RANGE ${FASTRTPS_DEFAULT_PROFILES_FILE-none} '
+             '$FASTDDS_BUILTIN_TRANSPORTS')
     assert rvd(project, 'shell', '-c', asked,
-               ROS_AUTOMATIC_DISCOVERY_RANGE='SUBNET').stdout == 'SUBNET none\n'
+               ROS_AUTOMATIC_DISCOVERY_RANGE='SUBNET').stdout == 'SUBNET none UDPv4\n'
 
 
 @for_real

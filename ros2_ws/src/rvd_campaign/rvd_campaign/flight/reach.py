@@ -15,6 +15,9 @@ RANGE, STATIC_PEERS = 'ROS_AUTOMATIC_DISCOVERY_RANGE', 'ROS_STATIC_PEERS'
 PROFILES, ONLY_LOCAL = 'FASTRTPS_DEFAULT_PROFILES_FILE', 'ROS_LOCALHOST_ONLY'
 # With '1' no DEFAULT_FASTRTPS_PROFILES.xml of the working folder adds to the file that is named.
 SKIP = 'SKIP_DEFAULT_XML_FILE'
+# What Fast DDS takes where no file of profiles says it: no shared memory, which a process that is
+# killed may leave so that all the others hang.
+TRANSPORTS, UDP = 'FASTDDS_BUILTIN_TRANSPORTS', 'UDPv4'
 OURS = 'config/fastdds_loopback.xml'
 USUAL_RMW = 'rmw_fastrtps_cpp'
 OPEN = ('SUBNET', 'SYSTEM_DEFAULT')
@@ -45,6 +48,7 @@ def settle(network: bool = False, environment: MutableMapping[str, str] = os.env
         asked = '' if asked == 'SYSTEM_DEFAULT' else asked
     middleware = environment.get('RMW_IMPLEMENTATION') or USUAL_RMW
     if network:
+        environment.setdefault(TRANSPORTS, UDP)
         environment.pop(ONLY_LOCAL, None)
         _put(environment, RANGE, 'SUBNET')
         _put(environment, PROFILES, profiles)
@@ -56,6 +60,7 @@ def settle(network: bool = False, environment: MutableMapping[str, str] = os.env
         peers = environment.get(STATIC_PEERS, '')
         return peers and f'{STATIC_PEERS}={peers} does not act without --network: this run is ' \
                          'heard on this machine alone'
+    environment.setdefault(TRANSPORTS, UDP)
     _put(environment, RANGE, asked or 'LOCALHOST')
     _put(environment, PROFILES, profiles)
     if asked in OPEN and not profiles:
