@@ -121,7 +121,7 @@ while time.monotonic() < until and not answered:
     seen |= set(node.get_node_names()) - {'stranger'}
     if client.service_is_ready() and len(seen) > 9:
         future = client.call_async(RunControl.Request(action=RunControl.Request.ABORT))
-        rclpy.spin_until_future_complete(node, future, timeout_sec=5.0)
+        rclpy.spin_until_future_complete(node, future, timeout_sec=30.0)
         answered = bool(future.done() and future.result().accepted)
 print(json.dumps({'seen': sorted(seen), 'aborted': answered}))
 """
