@@ -27,6 +27,8 @@ CASES = [
     ({reach.STATIC_PEERS: '10.0.0.7'}, {**ALONE, reach.STATIC_PEERS: '10.0.0.7'}, '10.0.0.7'),
     ({reach.RANGE: 'SUBNET'}, {**OPEN, reach.RANGE: 'SUBNET'},
      'RANGE=SUBNET: open to the network'),
+    ({reach.RANGE: 'SUBNET', reach.TRANSPORTS: ''}, {**OPEN, reach.RANGE: 'SUBNET'},
+     'open to the network'),
     ({reach.RANGE: 'SUBNET', reach.TRANSPORTS: 'DEFAULT'},
      {reach.RANGE: 'SUBNET', reach.TRANSPORTS: 'DEFAULT'}, 'open to the network'),
     ({**ALONE, reach.RANGE: 'SUBNET'}, {**OPEN, reach.RANGE: 'SUBNET', reach.SKIP: '1'},
@@ -54,7 +56,7 @@ def test_the_network_is_opened_on_purpose_and_that_is_said(given):
     settled = dict(given)
     line = reach.settle(True, settled)
     assert settled[reach.RANGE] == 'SUBNET'
-    assert settled[reach.TRANSPORTS] == given.get(reach.TRANSPORTS, reach.UDP)
+    assert settled[reach.TRANSPORTS] == (given.get(reach.TRANSPORTS) or reach.UDP)
     assert settled.get(reach.PROFILES) == (given.get(reach.PROFILES) if given.get(
         reach.PROFILES) == '/my.xml' else None)
     assert line.startswith('--network: open to the network')
