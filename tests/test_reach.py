@@ -38,7 +38,8 @@ CASES = [
     ({reach.PROFILES: '/my.xml'},
      {**OPEN, reach.RANGE: 'LOCALHOST', reach.PROFILES: '/my.xml'}, '/my.xml'),
     ({**ALONE, 'RMW_IMPLEMENTATION': 'rmw_cyclonedds_cpp'},
-     {**OPEN, reach.RANGE: 'LOCALHOST', reach.SKIP: '1', 'RMW_IMPLEMENTATION': 'rmw_cyclonedds_cpp'},
+     {**OPEN, reach.RANGE: 'LOCALHOST', reach.SKIP: '1',
+      'RMW_IMPLEMENTATION': 'rmw_cyclonedds_cpp'},
      'rmw_cyclonedds_cpp'),
 ]
 
