@@ -17,6 +17,8 @@ CANNOT = [
     ('ROS_DISCOVERY_SERVER', ';10.0.0.7:42100', 'unset it'),
     ('ROS_AUTOMATIC_DISCOVERY_RANGE', 'OFF', 'set it to LOCALHOST or SUBNET'),
     ('ROS_AUTOMATIC_DISCOVERY_RANGE', 'localhost', 'set it to LOCALHOST or SUBNET'),
+    ('FASTDDS_BUILTIN_TRANSPORTS', 'UDPV4', 'set it to UDPv4'),
+    ('FASTDDS_BUILTIN_TRANSPORTS', 'NONE', 'unset it'),
     ('FASTRTPS_DEFAULT_PROFILES_FILE', '/no/such/profiles.xml', 'unset it'),
     ('FASTDDS_DEFAULT_PROFILES_FILE', '/dev/null', 'not valid XML'),
 ]
@@ -39,6 +41,11 @@ def test_a_variable_that_keeps_nodes_apart_is_refused_with_the_remedy(
 def test_what_lets_nodes_find_each_other_is_let_be(value):
     preflight.check({**os.environ, 'ROS_AUTOMATIC_DISCOVERY_RANGE': value,
                      'RMW_IMPLEMENTATION': 'rmw_fastrtps_cpp' if value else ''})
+
+
+@pytest.mark.parametrize('value', ['', 'UDPv4', 'DEFAULT', 'LARGE_DATA?max_msg_size=1MB'])
+def test_a_transport_of_fast_dds_is_let_be(value):
+    preflight.check({**os.environ, 'FASTDDS_BUILTIN_TRANSPORTS': value})
 
 
 def test_a_file_of_profiles_is_let_be(tmp_path):

@@ -19,6 +19,8 @@ from rvd_campaign.exits import CannotRun
 
 USUAL_RMW = 'rmw_fastrtps_cpp'
 RANGES = ('LOCALHOST', 'SUBNET', 'SYSTEM_DEFAULT')
+# Of Fast DDS 2.14; it takes any other word for DEFAULT. With '?' come options of LARGE_DATA.
+TRANSPORTS = ('UDPv4', 'UDPv6', 'SHM', 'DEFAULT', 'DEFAULTv6', 'LARGE_DATA', 'LARGE_DATAv6')
 PROFILES = ('FASTRTPS_DEFAULT_PROFILES_FILE', 'FASTDDS_DEFAULT_PROFILES_FILE')
 GET_FLAGS, IS_UP = 0x8913, 0x1          # SIOCGIFFLAGS and IFF_UP, linux/sockios.h and net/if.h
 
@@ -46,6 +48,10 @@ def check(environment: Mapping[str, str] = os.environ) -> None:
         raise CannotRun('the loopback interface lo is down, through which the nodes of a run find '
                         'each other: sudo ip link set lo up')
     middleware = environment.get('RMW_IMPLEMENTATION') or USUAL_RMW
+    transports = environment.get('FASTDDS_BUILTIN_TRANSPORTS', '')
+    if middleware == USUAL_RMW and transports.partition('?')[0] not in ('', *TRANSPORTS):
+        raise CannotRun(f'FASTDDS_BUILTIN_TRANSPORTS={transports}: no word of Fast DDS with which '
+                        f'nodes find each other: unset it, or set it to {" or ".join(TRANSPORTS)}')
     if middleware != USUAL_RMW and not _loads(environment):
         raise CannotRun(f'RMW_IMPLEMENTATION={middleware} is not installed here, or does not load: '
                         f'unset it to use {USUAL_RMW}')
