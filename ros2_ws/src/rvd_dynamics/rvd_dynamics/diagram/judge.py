@@ -21,6 +21,8 @@ from numpy.typing import ArrayLike, NDArray
 from rvd_dynamics.bad_input import BadInput
 
 NAN = float('nan')
+# Reason of a run in which an ABORT came into force (`aborts`), and its words, in every mission.
+ABORTED, ABORTED_WORDS = 'aborted', 'aborted'
 
 
 @dataclass(frozen=True)
@@ -59,7 +61,7 @@ class Verdict(NamedTuple):
     """Judgement of runs, each field of the batch's shape (plain numbers for a single run)."""
 
     success: Any                # [bool]  every criterion held
-    reason: Any                 # [text]  a key of the judge's `reasons`; empty: under way
+    reason: Any                 # [text]  a key of the judge's `reasons`, or ABORTED; empty: under way
     duration: Any               # [s]     from the start to the end of the run, or so far
     values: dict[str, Any]      # name of each measure: its value [its unit]; NaN while unknown
 
@@ -150,6 +152,27 @@ class Judgement(NamedTuple):
         return next((m.value for m in self.measures if m.name == name), NAN)
 
 
+def aborted(verdict: Verdict, in_force: ArrayLike) -> Verdict:
+    """
+    Return a verdict that says of which runs an ABORT was in force before they ended.
+
+    They were aborted, whatever the truth says besides: that is in the measures, which stay. A run
+    under way has no reason yet.
+
+    Parameters
+    ----------
+    in_force : array_like of bool, of the batch's shape
+    """
+    if not np.any(in_force):
+        return verdict
+    over = np.asarray(verdict.reason) != ''
+    reason = np.where(over & in_force, ABORTED, verdict.reason)
+    success = np.asarray(verdict.success) & ~np.asarray(in_force)
+    if reason.ndim == 0:                        # of a single run, plain numbers
+        reason, success = reason.item(), success.item()
+    return verdict._replace(success=success, reason=reason)
+
+
 def judgement(judge: Judge, verdict: Verdict, row: int | tuple[int, ...] = ()) -> Judgement:
     """Return the verdict on one run of a batch; `row` () is the only run there is."""
     def one(values: Any) -> Any:
@@ -157,7 +180,9 @@ def judgement(judge: Judge, verdict: Verdict, row: int | tuple[int, ...] = ()) -
 
     reason = one(verdict.reason)
     return Judgement(
-        one(verdict.success), reason, judge.reasons.get(reason, reason), one(verdict.duration),
+        one(verdict.success), reason,
+        ABORTED_WORDS if reason == ABORTED else judge.reasons.get(reason, reason),
+        one(verdict.duration),
         tuple(_judged(m, one(verdict.values[m.name])) for m in judge.measures))
 
 
