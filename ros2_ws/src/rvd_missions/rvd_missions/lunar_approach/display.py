@@ -12,6 +12,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rvd_dynamics.commands.codes import KIND_ABORT
+from rvd_dynamics.commands.form import CommandForm
 from rvd_dynamics.commands.levels import HIGHEST, stick_axes, stick_levels, StickParams
 from rvd_dynamics.constants import RADIUS_MOON
 from rvd_dynamics.diagram.display import (
@@ -19,7 +21,7 @@ from rvd_dynamics.diagram.display import (
     Controller, Cylinder, DERIVED, Display, Flat, Gauge, Instrument, Instruments, Label,
     Legend, Line, Number, Perspective, Reading, Readout, Ref, Revolved, Ring, Section, Solid,
     Spot, Torus, Trail, TRUTH)
-from rvd_dynamics.diagram.run import Run
+from rvd_dynamics.diagram.run import Legs, Run
 from rvd_dynamics.geometry.cone import (
     Cone, control_boundary, distance_at, radius, signed_distance)
 from rvd_dynamics.geometry.obstacles import clearance
@@ -27,7 +29,9 @@ from rvd_dynamics.motion import cw
 from rvd_dynamics.motion.orbit import OrbitParams, StartParams
 from rvd_groundstation.console.decode import Sample
 from rvd_groundstation.console.provider import MissionDisplay, RunFacts
+from rvd_groundstation.prediction.abort import AbortProfile
 from rvd_missions.lunar_approach import signals
+from rvd_missions.lunar_approach.aborted import AbortedWay
 from rvd_missions.lunar_approach.scene import obstacle_spheres
 from rvd_missions.lunar_approach.settings import DockingParams, Obstacles
 
@@ -53,7 +57,8 @@ class LunarDisplay(MissionDisplay):
 
     def __init__(self, facts: RunFacts, orbit: OrbitParams, start: StartParams, cone: Cone,
                  docking: DockingParams, stick: StickParams, approach_rate_m_s: float,
-                 obstacles: Obstacles, run: Run) -> None:
+                 obstacles: Obstacles, run: Run, form: CommandForm, legs: Legs,
+                 abort_profile: AbortProfile) -> None:
         self._orbit, self._cone, self._docking, self._stick = orbit, cone, docking, stick
         self._rate_m_s = approach_rate_m_s
         self._start_m = tuple(start.position_m)
@@ -63,6 +68,7 @@ class LunarDisplay(MissionDisplay):
         self._obstacles = obstacle_spheres(obstacles, run)
         self._places = np.array([sphere.place for sphere in self._obstacles]).reshape(-1, 3)
         self._radii = obstacles.radii
+        self._aborted = AbortedWay(abort_profile, form, orbit, legs, run)
         super().__init__(facts, self._display())
 
     # -- what is derived ------------------------------------------------------------------
@@ -80,7 +86,9 @@ class LunarDisplay(MissionDisplay):
                 made[f'wall_{name}'] = self._wall(state)
                 made[f'margin_{name}'] = float(signed_distance(state[:3], self._cone))
         made.update(self._section(predicted if predicted is not None else measured))
-        outlook = None if predicted is None else self.outlook(predicted)
+        outlook = None if predicted is None else self.outlook(
+            predicted, self._push(newest[PREDICTION]))
+        made['ahead'] = self._ahead(newest) if predicted is not None else None
         made['drift'] = outlook and outlook['path']
         made['hit'] = outlook and outlook['hit'] and [0.0, *outlook['hit']]
         made['leave'] = self._leave_words(outlook)
@@ -118,10 +126,33 @@ class LunarDisplay(MissionDisplay):
             return ['stays inside', False]
         return [f'{outlook["leave"]:.0f} s', outlook['leave'] < self._loop_s]
 
-    def outlook(self, state: NDArray) -> dict[str, Any]:
-        """
-        Return where a state (6,) stands in the corridor and where it drifts unpowered.
+    def sent(self, sample: Sample) -> None:
+        """Follow what is sent: after an ABORT the guard decides what acts."""
+        self._aborted.sent(sample.step, sample.parts['value'], sample.parts['kind'] == KIND_ABORT)
 
+    def _step_of(self, sample: Sample) -> int:
+        """Return the step at whose beginning a sample is valid."""
+        return round(sample.t / self.facts.step_s)
+
+    def _push(self, predicted: Sample) -> NDArray | None:
+        """Return what the guard adds to the drift, rows (x, y, z) [m]; None before an ABORT."""
+        if self._aborted.abort_step is None:
+            return None
+        return self._aborted.push(self._step_of(predicted), self._horizon)
+
+    def _ahead(self, newest: Mapping[str, Sample]) -> list[list[float]] | None:
+        """Return the way from the estimate to the prediction after an ABORT, None before one."""
+        estimate = state_in(newest, ESTIMATE)
+        if self._aborted.abort_step is None or estimate is None:
+            return None
+        return self._aborted.ahead(estimate, self._step_of(newest[ESTIMATE]),
+                                   self._step_of(newest[PREDICTION]))
+
+    def outlook(self, state: NDArray, push: NDArray | None = None) -> dict[str, Any]:
+        """
+        Return where a state (6,) stands in the corridor and where it drifts.
+
+        Unpowered, or with what the guard of an aborted approach adds: `push` (T, 3) [m].
         `margin` [m] to the wall, `leave` [s] until the drift leaves the corridor (None: it does
         not), `plane` [s] until it reaches the docking plane (None: never), `hit` (y, z) there,
         `path` rows (x, y, z).
@@ -130,6 +161,8 @@ class LunarDisplay(MissionDisplay):
         made: dict[str, Any] = {'margin': float(signed_distance(state[:3], corridor)),
                                 'leave': None, 'plane': None, 'hit': None}
         path = np.einsum('kij,j->ki', self._drift[:, :3], state)
+        if push is not None:
+            path = path + push
         y, z = path[:, 1], path[:, 2]
         margin = distance_at(path[:, 0], np.sqrt(y*y + z*z), corridor)
         plane = _crossing(self._horizon, -path[:, 0])
@@ -184,7 +217,8 @@ class LunarDisplay(MissionDisplay):
                 Trail('ahead', 'predicted', Ref(PREDICTION, 'position'),
                       spread=Number(DERIVED, 'spread_prediction'),
                       since=Ref(ESTIMATE, 'position'),
-                      since_spread=Number(DERIVED, 'spread_estimate')),
+                      since_spread=Number(DERIVED, 'spread_estimate'),
+                      anew=Ref(DERIVED, 'ahead')),
                 Line('drift', 'predicted', Ref(DERIVED, 'drift'), dashed=True),
                 Trail('true_path', 'truth', Ref(TRUTH, 'position'))),
             labels=tuple(Label(f'−{x} m', (-float(x), 0.0, 0.0)) for x in range(5, 40, 5)),
@@ -201,7 +235,7 @@ class LunarDisplay(MissionDisplay):
             sky=(Ball((0.0, -1.0, 0.0), asin(RADIUS_MOON / self._orbit.radius_m)),),
             camera=self._camera(rate),
             instruments=Instruments('Motion', (
-                Instrument('range', 'm', both('position', (0, 1, 2))),
+                Instrument('range', 'm', both('position', (0, 1, 2), past=0)),
                 Instrument('closing rate', 'm/s', both('velocity', (0,), 0.0, rate), 3),
                 Instrument('lateral offset', 'm', tuple(
                     Reading(role, Number(signal, 'position', (1, 2)),
@@ -245,9 +279,11 @@ class LunarDisplay(MissionDisplay):
                      rings=tuple(zip(tens, self._boundary(np.array(tens)).tolist()))))
 
     def _camera(self, rate: float) -> Camera:
-        def readings(part: str, index: tuple[int, ...], roles: tuple[str, ...]) -> tuple:
+        def readings(part: str, index: tuple[int, ...], roles: tuple[str, ...],
+                     past: int | None = None) -> tuple:
             signals = {'truth': TRUTH, 'measured': TELEMETRY, 'predicted': PREDICTION}
-            return tuple(Reading(role, Number(signals[role], part, index)) for role in roles)
+            return tuple(Reading(role, Number(signals[role], part, index, past=past))
+                         for role in roles)
         return Camera(
             'docking camera · delayed', 'docking camera · truth', ('truth', 'chaser'),
             self._start_m,
@@ -255,7 +291,7 @@ class LunarDisplay(MissionDisplay):
                    CameraMark('predicted', Ref(DERIVED, 'aim'))),
             gauge=Gauge('m/s', 0.0, rate * 1.34, 0.05, 2,
                         readings('velocity', (0,), ('truth', 'measured', 'predicted')), rate),
-            distance=readings('position', (0, 1, 2), ('truth', 'measured')))
+            distance=readings('position', (0, 1, 2), ('truth', 'measured'), past=0))
 
     def _cut(self) -> Section:
         return Section(
@@ -304,10 +340,10 @@ def shown(value: float, digits: int) -> str:
     return f'{value:.{digits}f}'.replace('-', '−')
 
 
-def both(part: str, index: tuple[int, ...], low: float | None = None, high: float | None = None
-         ) -> tuple[Reading, ...]:
+def both(part: str, index: tuple[int, ...], low: float | None = None, high: float | None = None,
+         past: int | None = None) -> tuple[Reading, ...]:
     """Return the readings of one part as measured and as predicted."""
-    return tuple(Reading(role, Number(signal, part, index), low, high)
+    return tuple(Reading(role, Number(signal, part, index, past=past), low, high)
                  for role, signal in (('measured', TELEMETRY), ('predicted', PREDICTION)))
 
 
