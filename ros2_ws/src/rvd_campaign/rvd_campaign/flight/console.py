@@ -225,9 +225,14 @@ def _fly(page: ConsoleProcess, scenario: Scenario, run_dir: Path, runs: Path, do
         if page.stop_asked():
             stopped.append(True)
         return bool(stopped)
-    flight = fly.Flight(scenario, run_dir, domain, headless, stop_asked, console=True)
+
+    def known(code: int) -> None:
+        """Let the page go on: the run is over, and who flew need not wait for the report."""
+        if code != EXIT_INTERRUPTED or stopped:
+            page.tell('ended', name, f'failed {flight.problem}' if code == EXIT_CANNOT
+                      else flight.ended_by)
+    flight = fly.Flight(scenario, run_dir, domain, headless, stop_asked, console=True, known=known)
     code = flight.fly()
     if code == EXIT_INTERRUPTED and not stopped:
         raise KeyboardInterrupt
-    page.tell('ended', name, f'failed {flight.problem}' if code == EXIT_CANNOT else '')
     return code

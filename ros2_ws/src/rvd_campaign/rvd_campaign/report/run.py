@@ -24,6 +24,7 @@ from rvd_dynamics.link.channel import LINK_COUNTS
 from rvd_dynamics.recording import whole
 from rvd_dynamics.recording.bag_writer import repair
 from rvd_dynamics.recording.drawing import Figure, svg
+from rvd_dynamics.recording.flown import ABORT, of_recording, UNKNOWN
 from rvd_dynamics.recording.reader import read
 from rvd_dynamics.recording.recording import Recording
 from rvd_dynamics.recording.series import Commands, LinkHistory, Series, SERIES, Table
@@ -99,7 +100,7 @@ def page(run: Recording, doubts: Iterable[str] = (), told: Told = Told()) -> str
         legs=list(links), links=_link_rows(list(links.values())), decided=_decided_rows(run),
         refused=_refused(run))
     return render(
-        'run.html.j2', title=headline(run, bool(doubts), bool(given_up(run, told))), mark=mark,
+        'run.html.j2', title=headline(run, bool(doubts), bool(given_up(run, told)), told.ended_by), mark=mark,
         kind=kind, facts=_facts(run),
         warnings=[*(f'Not to be trusted: {doubt}.' for doubt in doubts), *_warnings(run, told),
                   *_damage(run, series), *(d for d in drawn if isinstance(d, str))],
@@ -180,7 +181,8 @@ def _events(run: Recording) -> list[tuple[str, str, str, str]]:
     return [*rows, ('', '', '', f'and {more} more')] if more else rows
 
 
-def headline(run: Recording, doubtful: bool = False, gave_up: bool = False) -> str:
+def headline(run: Recording, doubtful: bool = False, gave_up: bool = False, ended_by: str = ''
+             ) -> str:
     """
     Return the verdict in words.
 
@@ -190,11 +192,21 @@ def headline(run: Recording, doubtful: bool = False, gave_up: bool = False) -> s
         It is not to be trusted.
     gave_up : bool
         The flight was given up, so that there is none.
+    ended_by : str
+        Who ended the flight before its end, likewise; empty where nobody did.
     """
     said = run.verdict.headline if run.judged else (
         'no verdict: the flight was given up' if gave_up else
+        f'no verdict: {ended_by}{_after(run)}' if ended_by else
         'no verdict: the recording ends before the run does')
     return f'not to be trusted: {said}' if doubtful else said
+
+
+def _after(run: Recording) -> str:
+    """Return when the recording ends, as words after others."""
+    if run.scenario is None or run.last_step < 0:
+        return ''
+    return f' after {run.last_step * run.scenario.run.step_s:.1f} s'
 
 
 def _facts(run: Recording) -> list[tuple[str, str, str]]:
@@ -205,11 +217,21 @@ def _facts(run: Recording) -> list[tuple[str, str, str]]:
     facts.append(('mission ', scenario.mission.name, ''))
     if scenario.has_shared('operator'):
         operation = scenario.part('operation')
-        facts += [('mode ', operation.mode, ''), ('operator ', operation.operator, '')]
+        facts += [('mode ', _modes(run, operation.mode), ''),
+                  ('operator ', operation.operator, '')]
     facts += [('seed ', str(scenario.run.seed), ''), ('run ', str(scenario.run.run), ''),
               ('step ', f'{scenario.run.step_s:g} s', '')]
     delays = ' + '.join(f'{link.hold_s:g}' for link in run.links.values())
     return [*facts, ('delay ', f'{delays} s', '')] if delays else facts
+
+
+def _modes(run: Recording, asked: str) -> str:
+    """Return the modes that were flown, with the share of each where they are several."""
+    modes = {name: n for name, n in of_recording(run).modes.items() if name != ABORT}
+    if set(modes) <= {asked} or set(modes) == {UNKNOWN}:
+        return asked
+    whole = sum(modes.values())
+    return ', '.join(f'{name} {100 * n / whole:.0f} %' for name, n in modes.items())
 
 
 def _warnings(run: Recording, told: Told) -> list[str]:
