@@ -57,6 +57,36 @@ def test_means_are_over_successes_as_in_the_paper(session):
     assert manual.tlx == (60.0, pytest.approx(200.0 ** 0.5))
 
 
+def break_into(session, run, why):
+    """Let a flight have no rating but a reason, as the desk leaves one that does not count."""
+    file = session / run / 'ratings.json'
+    file.write_text(json.dumps({**json.loads(file.read_text()), 'counted': False, 'why': why,
+                                'cooper_harper': None, 'tlx': None}))
+
+
+def test_a_flight_whose_condition_was_broken_is_left_out_and_named(session):
+    before = conditions(read_flights(session)[0], ['manual'])[0]
+    break_into(session, 'P01/03-manual', 'the mode was changed: 88 % of the steps in mode auto')
+    flights, left_out = read_flights(session)
+    assert len(flights) == 4 and left_out == 1
+    manual = conditions(flights, ['manual'])[0]
+    assert (before.flights, before.successes) == (2, 1) and (manual.flights, manual.successes) == (
+        1, 1)
+    page = ' '.join(write_session_report(session).read_text().split())
+    assert '<td>P01</td><td>3</td><td>manual</td><td>the mode was changed: 88 %' in page
+    assert '1 not counted' in page
+    with (session / 'flights.csv').open() as file:
+        rows = {row['number']: row for row in csv.DictReader(file)}
+    assert [rows[n]['counted'] for n in '12345'] == ['False', 'True', 'False', 'True', 'True']
+    assert rows['3']['why'].startswith('the mode') and rows['3']['cooper_harper'] == ''
+    assert rows['3']['offset_m'] == '0.9' and rows['2']['why'] == ''
+
+
+def test_a_session_in_which_all_counts_says_nothing_of_the_rest(session):
+    page = write_session_report(session).read_text()
+    assert '<h2>Not counted</h2>' not in page and '0 not counted' in page
+
+
 def test_workload_is_weighted_where_the_pairs_were_asked(session):
     scales = {'mental': 80, 'physical': 20, 'temporal': 0, 'performance': 0, 'effort': 50,
               'frustration': 0}

@@ -3,7 +3,8 @@
 
 Reads the folders that the console's experiment desk leaves: `session.json`, and for each
 volunteer and flight `verdict.json` and `ratings.json`. Training flights do not count. A flight
-that was flown and not rated, or broken off, is counted as such and left out of the table.
+that was flown and not rated, or broken off, is counted as such and left out of the table, and so
+is one whose condition was broken, which stands in `flights.csv` with the reason.
 """
 
 import csv
@@ -28,7 +29,7 @@ from rvd_groundstation.console.desk import RATINGS, WEIGHTS
 SESSION = 'session.json'
 BEFORE = ('volunteer', 'number', 'condition', 'mode', 'training', 'seed', 'reason', 'success',
           'duration_s')                 # columns of a flight, then its measures, then these
-AFTER = ('cooper_harper', 'tlx', 'tlx_weighted')
+AFTER = ('cooper_harper', 'tlx', 'tlx_weighted', 'counted', 'why')
 
 
 @dataclass(frozen=True)
@@ -63,11 +64,13 @@ def write_session_report(folder: Path) -> Path:
     rows = StringIO()
     writer = csv.DictWriter(rows, [*BEFORE, *_measures(flights), *AFTER], lineterminator='\r\n')
     writer.writeheader()
-    writer.writerows(flights)
+    broken = not_counted(folder)
+    writer.writerows([{'counted': not flight['training'], **flight} for flight in flights]
+                     + [{name: row.get(name) for name in writer.fieldnames} for row in broken])
     whole.save(folder / 'flights.csv', rows.getvalue())
     table = conditions(flights, list(session['conditions']))
     return whole.save(folder / 'report.html',
-                _page(session, table, flights, left_out, _known(folder)))
+                _page(session, table, flights, left_out, _known(folder), broken))
 
 
 def read_flights(folder: Path) -> tuple[list[dict[str, Any]], int]:
@@ -80,12 +83,33 @@ def read_flights(folder: Path) -> tuple[list[dict[str, Any]], int]:
             left_out += 1
             continue
         ratings = _object(ratings_file)
+        if ratings.get('why'):                  # it has no rating, but a reason
+            continue
         try:
             rows.append(_flown(file, verdict, ratings))
         except (KeyError, TypeError) as error:
-            raise BadInput(f'{file.parent}: verdict.json or {RATINGS} is damaged: {error!r}: mend '
-                           'it, or move the folder out of the session') from None
+            raise _damaged(file, error) from None
     return rows, left_out
+
+
+def not_counted(folder: Path) -> list[dict[str, Any]]:
+    """Return a row per flight whose condition was broken: what is known of it, and why."""
+    rows = []
+    for file in sorted(folder.glob(f'P*/*/{RATINGS}')):
+        ratings, verdict_file = _object(file), file.with_name('verdict.json')
+        if not ratings.get('why') or not verdict_file.is_file():
+            continue
+        try:
+            rows.append({**_known_of(_object(verdict_file), ratings), 'counted': False,
+                         'why': ratings['why']})
+        except (KeyError, TypeError) as error:
+            raise _damaged(file, error) from None
+    return rows
+
+
+def _damaged(file: Path, error: Exception) -> BadInput:
+    return BadInput(f'{file.parent}: verdict.json or {RATINGS} is damaged: {error!r}: mend '
+                    'it, or move the folder out of the session')
 
 
 def _object(file: Path) -> dict[str, Any]:
@@ -95,13 +119,19 @@ def _object(file: Path) -> dict[str, Any]:
 
 def _flown(file: Path, verdict: dict[str, Any], ratings: dict[str, Any]) -> dict[str, Any]:
     return {
+        **_known_of(verdict, ratings),
+        'cooper_harper': ratings['cooper_harper']['rating'], 'tlx': ratings['tlx']['mean'],
+        'tlx_weighted': _weighted(ratings, file.parent.parent)}
+
+
+def _known_of(verdict: dict[str, Any], ratings: dict[str, Any]) -> dict[str, Any]:
+    """Return what is known of a flight whether it counts or not."""
+    return {
         **{key: ratings[key] for key in ('volunteer', 'number', 'condition', 'mode',
                                          'training', 'seed')},
         'reason': verdict['reason'], 'success': verdict['success'],
         'duration_s': verdict.get('duration_s'),
-        **{name: m['value'] for name, m in verdict.get('measures', {}).items()},
-        'cooper_harper': ratings['cooper_harper']['rating'], 'tlx': ratings['tlx']['mean'],
-        'tlx_weighted': _weighted(ratings, file.parent.parent)}
+        **{name: m['value'] for name, m in verdict.get('measures', {}).items()}}
 
 
 def _known(folder: Path) -> dict[str, dict[str, Any]]:
@@ -197,7 +227,7 @@ def _load(spread: tuple) -> str:
 
 
 def _page(session: dict[str, Any], table: list[Condition], flights: list[dict[str, Any]],
-          left_out: int, known: dict[str, dict[str, Any]]) -> str:
+          left_out: int, known: dict[str, dict[str, Any]], broken: list[dict[str, Any]]) -> str:
     compared = None
     if len(table) == 2:
         first, second = table[0].name, table[1].name
@@ -209,7 +239,8 @@ def _page(session: dict[str, Any], table: list[Condition], flights: list[dict[st
     return render(
         'people.html.j2', title=session['title'], note=session.get('note', ''),
         volunteers=len({f['volunteer'] for f in flights}), flights=len(flights),
-        left_out=left_out, weighted=weighted, pairs=compared,
+        left_out=left_out, weighted=weighted, pairs=compared, broken=[
+            (f['volunteer'], str(f['number']), f['condition'], f['why']) for f in broken],
         heads=['condition', 'flights', ('success', '95 %'),
                *((m['words'], m['unit']) for m in measures.values()), 'Cooper-Harper', 'NASA-TLX',
                *(['NASA-TLX, weighted'] if weighted else [])],

@@ -86,7 +86,7 @@ function changed(dialog, forms) {
 
 let written = {}; // into the forms, for the next time they are open
 
-export function newRun(store, start, error = '') {
+export function newRun(store, start, error = '', stop = null) {
   if (!store.can.fly) {
     message(S.new_run, S.no_fly);
     return;
@@ -100,7 +100,7 @@ export function newRun(store, start, error = '') {
     <label>${S.seed} <input id="new-seed" size="15" inputmode="numeric" placeholder="${S.seed_hint}"></label></p>
     <div class="forms">${forms.map((form) => formRows(form, written)).join('')}</div>
     <p id="new-error" class="alarm" role="alert">${escape(error)}</p>
-    <div class="buttons"><button data-close>${S.cancel}</button><button class="primary" id="new-start">${S.start}</button></div>`,
+    <div class="buttons"><button data-close>${S.cancel}</button>${stop ? `<button id="new-stop" title="${S.stop_hint}">${S.stop_run}</button>` : ''}<button class="primary" id="new-start">${S.start}</button></div>`,
   (dialog) => {
     dialog.classList.toggle('wide', forms.length > 0);
     dialog.onclose = () => dialog.classList.remove('wide');
@@ -114,6 +114,7 @@ export function newRun(store, start, error = '') {
       else dialog.querySelector('#new-error').textContent = refused(reply.code);
     };
     dialog.querySelector('#new-start').onclick = go;
+    if (stop) dialog.querySelector('#new-stop').onclick = () => { dialog.close(); stop(); };
     dialog.querySelector('#new-seed').onkeydown = (event) => { if (event.key === 'Enter') go(); };
     dialog.querySelector('#new-start').focus();
   });

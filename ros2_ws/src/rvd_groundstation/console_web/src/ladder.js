@@ -84,7 +84,7 @@ export function counts(rungs) {
   const made = {};
   for (const rung of rungs) made[rung.state] = (made[rung.state] || 0) + 1;
   const underWay = (made[SENT] || 0);
-  const parts = [`${underWay} ${S.ladder_link}`];
+  const parts = [...(rungs.some(inForce) ? [S.aborted] : []), `${underWay} ${S.ladder_link}`];
   for (const state of [EXECUTED, SEEN, REFUSED, MISSED, UNKNOWN]) {
     if (made[state]) parts.push(`${made[state]} ${LADDER[state]}`);
   }

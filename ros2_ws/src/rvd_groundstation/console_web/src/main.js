@@ -43,6 +43,7 @@ const review = new Review(link, panels, () => refreshRun());
 function take(message) {
   if (message.type === 'desk') {
     desk.show(message, store.status.lease === 'you');
+    showName();
     return;
   }
   const { phase, lease } = store.status;
@@ -76,11 +77,14 @@ function refreshRun() {
   panels.setDisplay(display);
   stick.setController(display.controller);
   desk.task = { hint: display.hint, goal: display.goal, display };
-  if (!store.run) {
-    $('run-name').textContent = '';
-    return;
-  }
-  $('run-name').textContent = display.link ? `${store.run.name} · ${store.run.forward_s} s + ${store.run.back_s} s` : store.run.name;
+  showName();
+}
+
+// Of a run its folder and delays; of a session where it stands.
+function showName() {
+  const { run, display } = store;
+  const name = store.can.desk ? desk.title() : run?.name || '';
+  $('run-name').textContent = run && display.link ? `${name} · ${run.forward_s} s + ${run.back_s} s` : name;
   $('run-name').title = $('run-name').textContent;
 }
 
@@ -116,9 +120,15 @@ function showAbort() {
   $('abort').querySelector('small').textContent = armed ? S.abort_armed : S.abort_hint;
 }
 
+const endRun = () => orders.steer({ do: 'stop' });
+
 function newRun(error = '') {
+  if (store.can.desk) { // what is flown is the session's
+    desk.reopen();
+    return;
+  }
   if (store.status.lease !== 'you') link.ask({ do: 'take' });
-  dialogs.newRun(store, (wish) => link.ask(wish), error);
+  dialogs.newRun(store, (wish) => link.ask(wish), error, store.status.phase === 'flying' ? endRun : null);
 }
 
 function nextMode() {
@@ -143,6 +153,7 @@ addEventListener('keydown', (event) => {
 $('lease').onclick = toggleLease;
 $('pause').onclick = togglePause;
 $('abort').onclick = abort;
+$('end-run').onclick = endRun;
 $('restart').onclick = () => newRun();
 $('open-review').onclick = () => review.list();
 $('open-settings').onclick = () => padDialog(stick, store.display);
@@ -160,6 +171,10 @@ function showStatus() {
   $('socket-state').textContent = store.connected ? `● ${S.socket_open}` : `○ ${S.socket_closed}`;
   $('socket-state').className = store.connected ? 'ok' : 'alarm';
   for (const id of ['pause', 'restart']) $(id).disabled = !mine;
+  if (store.can.desk) {
+    $('pause').disabled = true;
+    $('restart').textContent = S.desk.open;
+  }
 }
 
 function banner(words, small, alarm) {
@@ -177,10 +192,11 @@ function showBanner(silence) {
   const ordered = orders.words();
   if (ordered) banner(...ordered, true);
   else if (!store.connected && link) banner(S.socket_closed, '', true);
-  else if (status.phase === 'idle') banner(S.idle, S.idle_text);
+  else if (status.phase === 'idle') banner(S.idle, store.can.desk ? S.desk.idle : S.idle_text);
   else if (status.phase === 'starting') banner(S.starting, status.run || '');
   else if (status.phase === 'refused') banner(S.run_refused, status.note, true);
   else if (status.note?.startsWith('failed')) banner(S.run_failed, status.note.slice(7), true);
+  else if (status.phase === 'ended' && !verdict && status.note) banner(dialogs.sentence(status.note), '');
   else if (silence > STALE_S) banner(fill(S.stale_frames, { s: silence.toFixed(0) }), '', true);
   else if (store.abortAt !== null && !verdict && frame) {
     const acts = !store.display.link || [...store.ladder.values()].some(inForce);
@@ -232,8 +248,9 @@ function showFrame() {
   showBanner(silence);
   showStick();
   showNotes();
+  $('end-run').hidden = !(store.abortAt !== null && store.status.phase === 'flying' && store.status.lease === 'you' && !store.verdict);
   say($('pause'), frame?.paused ? S.resume : S.pause);
-  showModes(store.display, frame, frame?.mode || run?.mode, store.status.lease === 'you');
+  showModes(store.display, frame, frame?.mode || run?.mode, store.status.lease === 'you' && !store.can.desk);
   if (!run || !frame) return;
   const now = store.now();
   const stale = showClocks(frame, now) || silence > STALE_S || !store.connected;

@@ -25,7 +25,7 @@ export const S = {
   idle: 'Ready', idle_text: 'Take the stick (T), then start a run (N).', starting: 'The graph is coming up…',
   paused: 'PAUSED', stale: 'STALE', no_telemetry: 'no telemetry yet', first_in: 'first telemetry in {s} s',
   pilot_lost: 'PILOT LOST: the automatic controller flies alone',
-  stale_frames: 'NO DATA FOR {s} s', aborted: 'ABORT in force', aborted_so: 'ABORT in force: {does}',
+  stale_frames: 'NO DATA FOR {s} s', aborted: 'ABORTED', aborted_so: 'ABORTED: {does}', stop_run: 'End the flight', stop_hint: 'ends the run under way; its folder is kept whole',
   abort_sent: 'ABORT sent, acting in about {s} s',
   abort_asked: 'ABORT: waiting for the answer', abort_unconfirmed: 'ABORT NOT CONFIRMED',
   abort_again: 'no answer; asked {n} times, asking again', abort_accepted: 'ABORT accepted, goes out with the next frame',
@@ -63,6 +63,9 @@ export const S = {
     heading: '{who}, flight {n} of {of}', training: 'Training: this flight does not count.', counts: 'This flight counts.',
     condition: 'Control: {mode}', clock: 'The clock starts when the graph is up.', fly: 'Start the flight',
     rest_title: 'A break', rest: 'Rest your eyes and hands.', go_on: 'Go on', done_title: 'Finished', done: 'Thank you, {who}. All flights are flown and rated.', next: 'Next volunteer',
+    session: 'Session: {title}', is_training: 'training', is_counted: 'counts', open: 'Session', idle: 'Take the stick (T) to go on with the session.',
+    broken: 'This flight does not count: {why}.', flown_again: 'It is flown again, with the same start.',
+    unset: 'not set', back: 'Back', change: 'Change', chosen: 'What contributed more to the workload, in each pair:', save_pairs: 'Save',
     yes: 'Yes', no: 'No', again: 'Answer again', pick: 'Pick the sentence that fits best.', save: 'Save the ratings',
     weigh: 'Which of the two contributed more to the workload of flying in this way?', pair: 'pair {n} of {of}',
     tree: {
@@ -84,7 +87,7 @@ export const S = {
       effort: ['Effort', 'How hard did you have to work for your level of performance?', 'very low', 'very high'],
       frustration: ['Frustration', 'How insecure, discouraged, irritated, stressed and annoyed were you?', 'very low', 'very high'],
     },
-    errors: { VOLUNTEER: 'A whole number from 1 to 999, please.', STAGE: 'Not now.', RATING: 'The rating is incomplete.', TLX: 'Please set every scale.', WEIGHTS: 'Please choose in every pair.' },
+    errors: { VOLUNTEER: 'A whole number from 1 to 999, please.', STAGE: 'Not now.', RATING: 'The rating is incomplete.', TLX: 'Please set every scale.', WEIGHTS: 'Please choose in every pair.', CLOSING: 'One moment: the recording of the last flight is being closed.' },
   },
 };
 
@@ -107,7 +110,10 @@ export const REASONS = ['', 'nothing due', 'wrong length', 'checksum', 'out of o
 export const LADDER = ['sent', 'due', 'executed', 'effect seen', 'refused', 'missed', 'unknown'];
 export const REFUSED = {
   LEASE: 'Take the stick first (T).', TAKEN: 'Another page has the stick.', NO_RUN: 'No run is under way.',
-  NO_FLY: S.no_fly, NO_ANSWER: 'The run did not answer.', DESK: 'The session says what is flown.', MODE: 'No such mode.', SETTINGS: 'Too many settings, or one that is too long.', SEED: 'The seed must be a whole number.',
+  NO_FLY: S.no_fly, NO_ANSWER: 'The run did not answer.', DESK: 'The session says what is flown.', SESSION_MODE: 'The session says in which mode this flight is flown.',
+  SESSION_PAUSE: 'A flight of a session is not paused.', SESSION_STOP: 'A flight of a session is flown to its end. Only ABORT ends it before, and it does not count then.',
+  NO_DESK: 'This console leads no session.', JSON: 'The console did not understand the page: reload it.', REQUEST: 'The console did not understand the page: reload it.', ID: 'The console did not understand the page: reload it.',
+  LENGTH: 'A stick sample was damaged and left out.', KIND: 'A stick sample was damaged and left out.', RANGE: 'A stick sample was out of range and left out.', MODE: 'No such mode.', SETTINGS: 'Too many settings, or one that is too long.', SEED: 'The seed must be a whole number.',
 };
 
 export function fill(text, values) {

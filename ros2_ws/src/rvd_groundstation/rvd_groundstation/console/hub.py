@@ -22,6 +22,7 @@ from rvd_groundstation.console.protocol import (
     request_of, Stick, stick_of)
 from rvd_groundstation.console.provider import MissionDisplay
 from rvd_dynamics.bad_input import BadInput
+from rvd_dynamics.diagram.aborts import ABORT_EVENT
 
 FRAME_S = 1.0 / 30              # [s] wall time: a page gets no more frames than this
 WATCH_S = 0.1                   # [s] likewise, pages that only watch
@@ -79,6 +80,7 @@ class Hub:
         self.note = ''
         self.verdict: dict | None = None
         self.pilot_lost = False
+        self.aborted = False                    # an ABORT was asked for, by whomever
         self.sticks = 0
         self._ask = ask
         self._bridge: Bridge | None = None
@@ -165,6 +167,9 @@ class Hub:
     def _do(self, client: Client, wish: Request) -> None:
         if wish.do in NEEDS_LEASE and self.lease.holder is not client:
             raise Refused('LEASE')
+        refused = self.desk.refuses(wish.do, self.aborted) if self.desk is not None else ''
+        if refused:
+            raise Refused(refused)
         if wish.do == 'take':
             if not self.lease.take(client, time.monotonic()):
                 raise Refused('TAKEN')
@@ -215,8 +220,6 @@ class Hub:
     def _ask_for(self, wish: Request) -> None:
         if self._ask is None:
             raise Refused('NO_FLY')
-        if self.desk is not None and wish.do == 'fly':
-            raise Refused('DESK')               # the session says what is flown
         self._ask({'do': wish.do, **(flight_wish(wish.content, self._modes())
                                      if wish.do == 'fly' else {})})
         if wish.do == 'fly':
@@ -260,6 +263,7 @@ class Hub:
         """Let a new run begin; pages stay."""
         self.feed, self.run_name, self._bridge = Feed(provider), name, bridge
         self.phase, self.note, self.verdict, self.pilot_lost = 'flying', '', None, False
+        self.aborted = False
         self._shown = {'pilot': 0, 'watch': 0}
         self._everybody(self.feed.run_message(name))
         self._status()
@@ -302,10 +306,13 @@ class Hub:
                 self.begin(*args)
             elif method == 'event':
                 self._everybody({'type': 'event', **args[0]})
+                self.aborted = self.aborted or args[0]['code'] == ABORT_EVENT
                 if self.feed is not None:
                     self.feed.event(args[0]['code'], args[0]['text'])
             elif method == 'final':
                 self.verdict = {'type': 'verdict', **args[0]}
+                if self.feed is not None:
+                    self.feed.settle(args[0]['duration'])
                 self._everybody(self.verdict)
                 if self.desk is not None:
                     self.desk.flown(args[0])
