@@ -2,16 +2,19 @@
 
 import { S, fill } from './strings.js';
 
+const WORDS = { opening: [S.connecting, ''], none: [S.no_token_title, S.no_page_token], stranger: [S.wrong_token, S.wrong_token_text],
+  full: [S.line_full, S.line_again] };
+
 export class Line {
   constructor() {
-    this.state = 'opening'; // opening, open, silent, closed, stranger, none (this page has no token)
+    this.state = 'opening'; // opening, open, silent, closed, full, stranger, none (this page has no token)
     this.heardAt = performance.now();
     this.wasOpen = false;
   }
 
   // From the worker: anything that was heard, or how the socket stands.
   take(message) {
-    if (!message.link) {
+    if (message.type || !message.link) { // a frame has counts of the link to the craft
       this.heardAt = performance.now();
       return;
     }
@@ -29,11 +32,10 @@ export class Line {
   // Seconds since the server was heard.
   age() { return (performance.now() - this.heardAt) / 1000; }
 
-  // Large and small words for the banner; null while the line is up, or is being opened for the first time.
+  // Large and small words for the banner, null while the line is up.
   words() {
-    if (this.up || (this.state === 'opening' && !this.wasOpen)) return null;
-    if (this.state === 'none') return [S.no_token_title, S.no_page_token];
-    if (this.state === 'stranger') return [S.wrong_token, S.wrong_token_text];
+    if (this.up) return null;
+    if (this.state in WORDS) return WORDS[this.state];
     const s = this.age().toFixed(0);
     return this.state === 'silent' ? [fill(S.line_silent, { s }), S.line_old] : [fill(S.line_lost, { s }), this.wasOpen ? S.line_again_old : S.line_again];
   }

@@ -6,7 +6,7 @@ const SAMPLE_MS = 20;
 const BEAT_MS = 350; // a page whose thread is silent for longer has let go of the stick
 const RETRY_MS = 1000;
 const [SILENT_MS, LOOK_MS] = [700, 100]; // a server speaks four times a second at least
-const ABANDON_MS = 5000; // a line that is silent for so long is opened anew
+const ABANDON_MS = 10000; // a line that is silent for so long is opened anew
 const PROOF_MS = 2000;
 const STICK_KIND = 1;
 const AXES = 6; // in a sample, whatever the mission has
@@ -40,7 +40,8 @@ function sample() {
   if (logging) postMessage({ type: 'sent', sequence, at: view.getFloat64(4 + 4 * AXES, true) });
 }
 
-function open() {
+// `proven`: the server that answers knows our token.
+function open(proven = false) {
   const line = new WebSocket(address.url, ['rvd.console.1', 'token.' + address.token]);
   let opened = false;
   socket = line;
@@ -63,16 +64,16 @@ function open() {
     postMessage(message);
   };
   line.onclose = () => {
-    if (line === socket) lost(opened ? RETRY_MS : 0);
+    if (line === socket) lost(opened || proven ? RETRY_MS : 0, proven && !opened ? 'full' : 'closed');
   };
 }
 
 // The line is gone: say so, and come back by itself.
-function lost(wait) {
+function lost(wait, state = 'closed') {
   socket = null;
   flying = silent = false;
   lastFrame = 0;
-  postMessage({ link: 'closed', since: performance.now() - heardAt });
+  postMessage({ link: state, since: performance.now() - heardAt });
   setTimeout(again, wait);
 }
 
@@ -80,7 +81,7 @@ async function again() {
   let state = 'closed';
   try {
     if (await knowsUs()) {
-      open();
+      open(true);
       return;
     }
     state = 'stranger';

@@ -66,7 +66,10 @@ function take(message) {
   }
   if (message.type === 'event') $('event').textContent = `${number(message.t, 1)} s · ${eventWords(message)}`;
   if (message.type === 'reply' && !message.ok) $('event').textContent = message.code ? dialogs.refused(message.code) : message.text;
-  if (!message.type) showStatus();
+  if (!message.type) {
+    showStatus();
+    showDead();
+  }
 }
 
 // Of the stick that this page publishes a node knows a Joy and its buttons; a pilot does not.
@@ -194,7 +197,7 @@ function showBanner(silence) {
   const ordered = orders.words();
   const line = store.line.words();
   if (ordered) banner(...ordered, true);
-  else if (line) banner(...line, true);
+  else if (line) banner(...line, store.line.state !== 'opening');
   else if (status.phase === 'idle') banner(S.idle, S.idle_text);
   else if (status.phase === 'starting') banner(S.starting, status.run || '');
   else if (status.phase === 'refused') banner(S.run_refused, status.note, true);
@@ -279,6 +282,10 @@ function showFrame() {
   panels.show({ run, frame, history, rungs: [...store.ladder.values()], now, stale });
 }
 
+function showDead() {
+  document.body.classList.toggle('dead', store.dead() && !review.on);
+}
+
 // The flight under way, beside a review of another.
 function showLive() {
   if (!review.on || !store.inFlight) {
@@ -302,7 +309,7 @@ function draw(at) {
   if (due) {
     readAt = at;
     readFrame = store.frame;
-    document.body.classList.toggle('dead', store.dead() && !review.on);
+    showDead();
     if (review.on) review.show();
     else showFrame();
     showLive();
