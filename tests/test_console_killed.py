@@ -1,9 +1,13 @@
 """A `fly` with a console that is killed takes the console and every node with it."""
 
 import asyncio
+from contextlib import suppress
 import json
 import os
+from pathlib import Path
 import signal
+from threading import Thread
+import urllib.request
 import uuid
 
 import aiohttp
@@ -54,3 +58,41 @@ def test_fly_with_a_console_that_is_killed_leaves_nothing(tmp_path, monkeypatch,
         for pid in marked(mark):
             os.kill(pid, signal.SIGKILL)
         console.close()
+
+
+def test_who_reads_a_bag_for_a_review_ends_with_the_console(tmp_path, monkeypatch):
+    """The bag is a pipe that brings nothing, so that its reader would wait for ever."""
+    mark = uuid.uuid4().hex
+    monkeypatch.setenv(MARK, mark)
+    console = Console(tmp_path, 'hand')
+    run = tmp_path / 'runs' / 'slow'
+    (run / 'bag').mkdir(parents=True)
+    (run / 'verdict.json').write_text('{}')
+    os.mkfifo(run / 'bag' / 'a.mcap')
+    asking = Thread(target=ask_for, args=(console, '/api/runs/slow'))
+    asking.start()
+    try:
+        pid = wait_for(lambda: next((pid for pid, line in marked(mark).items()
+                                     if 'report.replay' in line and reads(pid)), None),
+                       'the reader of a bag')
+        console.process.send_signal(signal.SIGKILL)
+        console.process.wait()
+        assert pid not in left_after(KILLED_S, mark)
+    finally:
+        for pid in marked(mark):
+            os.kill(pid, signal.SIGKILL)
+        console.close()
+        asking.join()
+
+
+def reads(pid: int) -> bool:
+    """Say whether a reader has begun: it limits its own processor time before it reads."""
+    limits = Path(f'/proc/{pid}/limits').read_text()
+    return 'Max cpu time              unlimited' not in limits
+
+
+def ask_for(console: Console, path: str) -> None:
+    request = urllib.request.Request(f'http://{console.address}{path}',
+                                     headers={'Authorization': f'Bearer {console.token}'})
+    with suppress(OSError):                     # it ends meanwhile
+        urllib.request.urlopen(request, timeout=60.0)
