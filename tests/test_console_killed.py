@@ -1,13 +1,11 @@
 """A `fly` with a console that is killed takes the console and every node with it."""
 
 import asyncio
-from contextlib import suppress
 import json
 import os
-from pathlib import Path
 import signal
-from threading import Thread
-import urllib.request
+import subprocess
+import sys
 import uuid
 
 import aiohttp
@@ -60,39 +58,23 @@ def test_fly_with_a_console_that_is_killed_leaves_nothing(tmp_path, monkeypatch,
         console.close()
 
 
-def test_who_reads_a_bag_for_a_review_ends_with_the_console(tmp_path, monkeypatch):
-    """The bag is a pipe that brings nothing, so that its reader would wait for ever."""
-    mark = uuid.uuid4().hex
-    monkeypatch.setenv(MARK, mark)
-    console = Console(tmp_path, 'hand')
-    run = tmp_path / 'runs' / 'slow'
-    (run / 'bag').mkdir(parents=True)
-    (run / 'verdict.json').write_text('{}')
-    os.mkfifo(run / 'bag' / 'a.mcap')
-    asking = Thread(target=ask_for, args=(console, '/api/runs/slow'))
-    asking.start()
+def test_who_reads_a_bag_for_a_review_ends_with_the_console(tmp_path):
+    """The reader as it is, but that it has begun for good when it makes itself nice."""
+    mark, begun = uuid.uuid4().hex, tmp_path / 'begun'
+    reader = ('import os, pathlib, runpy, time\n'
+              f'os.nice = lambda n: (pathlib.Path({str(begun)!r}).touch(), time.sleep(600))\n'
+              'runpy.run_module("rvd_campaign.report.replay", run_name="__main__")')
+    console = subprocess.Popen(
+        [sys.executable, '-c', 'import asyncio, pathlib, sys\n'
+         'from rvd_groundstation.console import review\n'
+         f'review.READER = (sys.executable, "-c", {reader!r})\n'
+         'asyncio.run(review.load(pathlib.Path("."), "run"))'],
+        cwd=tmp_path, env={**os.environ, MARK: mark})
     try:
-        pid = wait_for(lambda: next((pid for pid, line in marked(mark).items()
-                                     if 'report.replay' in line and reads(pid)), None),
-                       'the reader of a bag')
-        console.process.send_signal(signal.SIGKILL)
-        console.process.wait()
-        assert pid not in left_after(KILLED_S, mark)
+        wait_for(begun.exists, 'the reader of a bag', 60.0)
+        console.kill()
+        console.wait()
+        assert left_after(KILLED_S, mark) == {}
     finally:
         for pid in marked(mark):
             os.kill(pid, signal.SIGKILL)
-        console.close()
-        asking.join()
-
-
-def reads(pid: int) -> bool:
-    """Say whether a reader has begun: it limits its own processor time before it reads."""
-    limits = Path(f'/proc/{pid}/limits').read_text()
-    return 'Max cpu time              unlimited' not in limits
-
-
-def ask_for(console: Console, path: str) -> None:
-    request = urllib.request.Request(f'http://{console.address}{path}',
-                                     headers={'Authorization': f'Bearer {console.token}'})
-    with suppress(OSError):                     # it ends meanwhile
-        urllib.request.urlopen(request, timeout=60.0)
