@@ -377,3 +377,44 @@ COLOURS = """(() => {
     for (let i = 0; i < data.length; i += 4) seen.add(data[i] << 16 | data[i + 1] << 8 | data[i + 2]);
     return seen.size;
 })()"""
+
+
+# -- the browser's log ----------------------------------------------------------------------
+
+def logged(page):
+    """Return a list that gets what the browser logs of a page and its worker, and its issues."""
+    found = []
+    session = page.context.new_cdp_session(page)
+    session.on('Log.entryAdded', lambda e: found.append(e['entry']['text']))
+    session.on('Audits.issueAdded', lambda e: found.append(str(e['issue'])))
+    page.on('console', lambda m: found.append(m.text))
+    page.on('pageerror', lambda error: found.append(str(error)))
+    for part in ('Log', 'Audits'):
+        session.send(f'{part}.enable')
+    return found
+
+
+@pytest.mark.parametrize('kind', [ToyConsole, WaitingConsole])
+def test_the_browser_logs_nothing_of_any_dialog_under_the_policy(browser, kind):
+    toy = kind()
+    try:
+        page = browser.new_page()
+        log = logged(page)
+        page.goto(toy.url)
+        until(page, 'Boolean(window.rvd?.store.connected && rvd.store.display)')
+        page.keyboard.press('t')
+        for key in '?gnlvm':
+            page.keyboard.press(key)
+            page.wait_for_timeout(150)
+            page.keyboard.press('Escape')
+        if kind is ToyConsole:
+            toy.finish()
+            until(page, "document.querySelector('#verdict-words') !== null")
+        assert [line for line in log if 'GPU stall' not in line] == []
+        page.evaluate("document.body.insertAdjacentHTML('beforeend', '<p style=\"color: red\">')")
+        deadline = time.monotonic() + LIGHT_S
+        while not any('Content Security Policy' in line for line in log):
+            assert time.monotonic() < deadline, 'the log would not have told'
+            page.wait_for_timeout(50)
+    finally:
+        toy.close()
