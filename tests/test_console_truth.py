@@ -370,11 +370,14 @@ COLOURS = """(() => {
     rvd.scene.draw();
     const { renderer, places: { camera } } = rvd.scene;
     const gl = renderer.getContext(), ratio = renderer.getPixelRatio();
-    const [x, y, w, h] = [camera.left, camera.bottom, camera.width, camera.height].map((v) => Math.round(v * ratio));
+    const [x, y, w, h] = [camera.left, camera.bottom, camera.width, camera.height].map(
+        (v) => Math.round(v * ratio));
     const data = new Uint8Array(4 * (w - 4) * (h - 4));
     gl.readPixels(x + 2, y + 2, w - 4, h - 4, gl.RGBA, gl.UNSIGNED_BYTE, data);
     const seen = new Set();
-    for (let i = 0; i < data.length; i += 4) seen.add(data[i] << 16 | data[i + 1] << 8 | data[i + 2]);
+    for (let i = 0; i < data.length; i += 4) {
+        seen.add(data[i] << 16 | data[i + 1] << 8 | data[i + 2]);
+    }
     return seen.size;
 })()"""
 

@@ -24,6 +24,7 @@ const FRAME_MS = 1000 / 30;
 const [READ_MS, IDLE_MS] = [60, 120]; // between two looks of the instruments: a new frame, an old one
 const STALE_S = 1.0; // beyond what the delay explains
 const ARM_MS = 2000; // between the two presses of ABORT
+const BLANK_MS = 1000; // between two pictures of nothing
 const ANSWER_MS = 5000; // to a wish of a dialog
 
 for (const element of document.querySelectorAll('[data-s]')) element.textContent = S[element.dataset.s];
@@ -37,6 +38,7 @@ let armedAt = -Infinity;
 let drawnAt = 0;
 let readAt = 0;
 let readFrame = null;
+let blankAt = 0;
 let shownVerdict = null;
 const stick = new Stick((state, now) => link?.stick(state, now), () => heldUp());
 const desk = new Desk(link);
@@ -276,10 +278,15 @@ function showFrame() {
   showNotes();
   say($('pause'), frame?.paused ? S.resume : S.pause);
   showModes(store.display, frame, frame?.mode || run?.mode, store.status.lease === 'you');
+  if (!run && store.display && performance.now() - blankAt > BLANK_MS) { // boxes change until the page has settled
+    blankAt = performance.now();
+    panels.blank(history);
+  }
   if (!run || !frame) return;
   const now = store.now();
   const stale = showClocks(frame, now) || store.dead();
   panels.show({ run, frame, history, rungs: [...store.ladder.values()], now, stale });
+  if (store.dead()) say($('why'), S.unknown); // who flies is not known any more
 }
 
 function showDead() {
