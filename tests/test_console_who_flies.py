@@ -113,6 +113,20 @@ def test_in_manual_with_the_stick_lost_nobody_flies(table):
     assert said['words'] == 'nobody flies: no valid stick' and said['alarm']
 
 
+@pytest.mark.parametrize('modes, mode, by, link, said', [
+    ([], 'auto', 1, True, 'the pilot flies'),           # a mission whose runs have no such mode
+    (['auto', 'manual'], 'auto', 1, True, 'the pilot flies: decided before the mode was changed'),
+    (['go', 'hold'], 'go', None, True, None),           # its commands do not tell who decided
+    ([], 'auto', 0, False, None)])                      # watched on board: nothing is decided here
+def test_a_frame_says_who_flies_by_what_it_tells_and_no_more(modes, mode, by, link, said):
+    display = {'link': link, 'commands': {'sent': '/c'}, 'modes': [{'name': m} for m in modes]}
+    frame = {'mode': mode, 'signals': {'/c': {'parts': {'by': by, 'reason': 0}}}}
+    told = in_node("import { sentence, whoFlies } from './decided.js';"
+                   f'const found = whoFlies({json.dumps(display)}, {json.dumps(frame)});'
+                   'console.log(JSON.stringify(found && sentence(found)));')
+    assert told == said
+
+
 def test_no_other_source_of_the_page_says_who_flies():
     for file in [*(WEB / 'src').glob('*.js'), WEB / 'index.html']:
         if file.name != 'decided.js':

@@ -55,11 +55,14 @@ export const sentence = ({ who, why }) => (why ? `${who}: ${why}` : who);
 /**
  * Return `decided` of the command in a frame.
  *
- * Null where no command was sent, or where none is decided on the ground (`link` of the display is false).
+ * Null where no command was sent, where none is decided on the ground (`link` of the display is false), or where
+ * commands do not tell who decided them. A mode that the mission does not have says nothing.
  */
 export function whoFlies(display, frame) {
   const sent = frame && display?.link ? frame.signals[display.commands.sent] : null;
-  return sent ? decided(frame.mode, sent.parts.by, sent.parts.reason) : null;
+  if (!sent || sent.parts.by === null) return null;
+  const mode = display.modes.some(({ name }) => name === frame.mode) ? frame.mode : '';
+  return decided(mode, sent.parts.by, sent.parts.reason);
 }
 
 // Of a mission that is only watched: what its command says besides its value.
