@@ -86,9 +86,10 @@ def _missing(what: str) -> None:
 class Console:
     """`rvd fly --operator console` under test."""
 
-    def __init__(self, folder: Path, *args: str, overlay: Path | None = None) -> None:
+    def __init__(self, folder: Path, *args: str, overlay: Path | None = None,
+                 port: int = 0) -> None:
         self.folder = folder
-        self.process = start_rvd('fly', *args, '--operator', 'console', '--port', '0',
+        self.process = start_rvd('fly', *args, '--operator', 'console', '--port', str(port),
                                  '--headless', cwd=folder, overlay=overlay)
         self.url = wait_for(self._url, 'the address of the page')
 

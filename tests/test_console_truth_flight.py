@@ -1,9 +1,13 @@
 """What the page says in a flight by the real graph, against what the bag holds of it."""
 
+import socket
+
 import numpy as np
 import pytest
 from console_page import Console, open_page, take_and_start, until
 from runs import messages, wait_for
+
+from rvd_groundstation.console.tokens import own_folder
 
 pytestmark = pytest.mark.slow
 BY_NOBODY, BY_AUTO, PILOT_INVALID, ABORT = 0, 2, 9, 3
@@ -169,3 +173,33 @@ def test_a_watcher_who_comes_in_a_pause_sees_the_last_picture_and_steers_nothing
 
 def test_the_browser_has_nothing_to_complain_about(flown):
     assert flown['problems'] == []
+
+
+def test_a_page_comes_back_by_itself_to_a_fly_that_was_killed_and_started_anew(
+        browser, tmp_path_factory):
+    with socket.socket() as one:
+        one.bind(('127.0.0.1', 0))
+        port = one.getsockname()[1]
+    consoles = []
+
+    def start():
+        consoles.append(Console(tmp_path_factory.mktemp('again'), 'hand', port=port))
+        return consoles[-1]
+    try:
+        first = start()
+        page = open_page(browser, first, look='plain')
+        page.keyboard.press('t')
+        until(page, "rvd.store.status.lease === 'you'")
+        first.process.kill()
+        until(page, says('NOT CONNECTED: no server for'))
+        assert page.is_disabled('#lease') and page.is_disabled('#restart')
+        second = start()
+        assert (second.url, second.watch_url) == (first.url, first.watch_url)
+        until(page, 'rvd.store.connected')
+        until(page, says('Ready'))
+        page.keyboard.press('t')
+        until(page, "rvd.store.status.lease === 'you'")
+    finally:
+        for console in consoles:
+            console.close()
+        (own_folder() / f'127.0.0.1-{port}.json').unlink(missing_ok=True)

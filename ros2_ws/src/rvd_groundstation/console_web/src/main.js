@@ -43,7 +43,7 @@ let shownVerdict = null;
 const stick = new Stick((state, now) => link?.stick(state, now), () => heldUp());
 const desk = new Desk(link);
 const orders = new Orders(link, store);
-const review = new Review(link, panels, () => refreshRun(), () => (store.inFlight ? S.review_in_flight : ''));
+const review = new Review(link, panels, () => { refreshRun(); showLive(); }, () => (store.inFlight ? S.review_in_flight : ''));
 const live = new Live(() => review.leave());
 
 function take(message) {
