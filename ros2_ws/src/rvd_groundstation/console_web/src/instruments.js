@@ -278,7 +278,7 @@ export function reticle(canvas, scene, camera, frame) {
   pen.stroke();
   const carrier = scene.known(camera.carried_by);
   if (!carrier) {
-    text(pen, S.no_telemetry, cx, cy + 2.2 * rem, COLOUR.dim, 'center');
+    text(pen, S.no_telemetry, cx, cy + h * 0.36 + rem, COLOUR.dim, 'center');
     return;
   }
   const isTruth = carrier.item.role === 'truth'; // a prediction belongs to what was measured
