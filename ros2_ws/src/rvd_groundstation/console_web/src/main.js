@@ -303,6 +303,7 @@ function showLive() {
   live.show(store, [
     store.line.words()?.slice(0, 1).concat(true) ?? [orders.words()?.[0], true],
     store.status.lease === 'you' ? [released(), true] : [found ? sentence(found) : '', found?.alarm],
+    [store.frame.paused ? S.paused : '', false],
     [store.silence() ? fill(S.stale_frames, { s: store.silence().toFixed(0) }) : '', true]]);
 }
 
