@@ -75,10 +75,11 @@ class ConsoleProcess:
             else:
                 self._wishes.put(message)
 
-    def url(self) -> str:
-        """Return the address to open, once there."""
+    def urls(self) -> tuple[str, str]:
+        """Return the address for who flies and the one for who only watches, once there."""
         try:
-            return self._next(URL_S)['url']
+            said = self._next(URL_S)
+            return said['url'], said['watch']
         except (KeyError, queue.Empty):
             raise CannotRun('the console did not start') from None
 
@@ -157,7 +158,7 @@ def main(args: argparse.Namespace, scenario: Scenario) -> int:
         page = ConsoleProcess(args, runs, Path(folder), domain, scenario)
         os.environ['RVD_CONSOLE'] = str(page.socket)
         try:
-            print(f'open {page.url()}', flush=True)
+            print('open {}\nwatch {}'.format(*page.urls()), flush=True)
             return _serve(page, args, scenario, runs, domain)
         finally:
             refused = page.stop()

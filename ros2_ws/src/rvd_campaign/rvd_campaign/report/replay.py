@@ -21,6 +21,7 @@ from typing import Any
 
 import numpy as np
 
+from rvd_dynamics import lifeline
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.display import TRUTH
 from rvd_dynamics.diagram.judge import for_page, from_message
@@ -224,4 +225,5 @@ def main(runs: str, name: str) -> int:
 
 
 if __name__ == '__main__':
+    lifeline.hold()                             # nobody reads on when the console has gone
     sys.exit(main(*sys.argv[1:]))

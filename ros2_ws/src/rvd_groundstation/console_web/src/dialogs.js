@@ -8,6 +8,8 @@ const box = () => document.getElementById('dialog');
 
 export function open(html, onOpen) {
   const dialog = box();
+  dialog.oncancel = null; // of the dialog before
+  delete dialog.dataset.passes;
   dialog.innerHTML = html;
   if (!dialog.open) dialog.showModal();
   for (const button of dialog.querySelectorAll('[data-close]')) button.onclick = () => dialog.close();
@@ -17,6 +19,38 @@ export function open(html, onOpen) {
 
 export function close() {
   if (box().open) box().close();
+}
+
+// The heading of the dialog that is open; '' when none is.
+export function title() {
+  return box().open ? box().querySelector('h3')?.textContent || S.dialog : '';
+}
+
+// What a key does while a dialog is open: true when it belongs to the dialog, or to nobody.
+export function takesKey(code) {
+  const dialog = box();
+  if (!dialog.open) return false;
+  const button = dialog.querySelector(`[data-key="${code}"]`);
+  if (button) button.click();
+  else if (dialog.dataset.passes !== undefined) { // a list of the keys: they do what it says
+    dialog.close();
+    return false;
+  }
+  return true;
+}
+
+// Say something in the dialog that is open, above all else in it.
+export function note(words) {
+  const dialog = box();
+  let line = dialog.querySelector('#dialog-note');
+  if (!line && words) {
+    line = document.createElement('p');
+    Object.assign(line, { id: 'dialog-note', className: 'alarm' });
+    line.setAttribute('role', 'alert');
+    dialog.querySelector('h3')?.after(line);
+  }
+  if (line && line.textContent !== words) line.textContent = words;
+  if (line) line.hidden = !words;
 }
 
 export const closeButton = `<button data-close>${S.close}</button>`;
@@ -50,7 +84,8 @@ export function help(display) {
   const [[takeKey, takeWords], ...others] = HELP.map(([keys, what]) => [keys, fill(what, { abort })]);
   const rows = [[takeKey, takeWords], ...keyRows(display), ...modeRows(display), ...others].map(([keys, what]) => (keys
     ? `<tr><td><kbd>${escape(keys)}</kbd></td><td>${escape(what)}</td></tr>` : `<tr><td colspan="2">${escape(what)}</td></tr>`));
-  open(`<h3>${S.help_title}</h3><table>${rows.join('')}</table><div class="buttons">${closeButton}</div>`);
+  open(`<h3>${S.help_title}</h3><table>${rows.join('')}</table><div class="buttons"><button data-close data-key="Slash">${S.close}</button></div>`,
+  (dialog) => { dialog.dataset.passes = ''; });
 }
 
 export function refused(code) {
@@ -127,7 +162,7 @@ export function verdict(v, canFly, again) {
   open(`<h3>${S.verdict_title}</h3>
     <p class="verdict ${good ? 'ok' : 'alarm'}" id="verdict-words">${good ? '✓' : '✗'} ${escape(sentence(v.words))}</p>
     <table>${row(S.verdict_time, `${number(v.duration, 1)} s`, '', null)}${rows.join('')}</table>
-    <div class="buttons">${closeButton}${canFly ? `<button class="primary" id="again">${S.fly_again}</button>` : ''}</div>`,
+    <div class="buttons">${closeButton}${canFly ? `<button class="primary" id="again" data-key="KeyN">${S.fly_again}</button>` : ''}</div>`,
   (dialog) => {
     const button = dialog.querySelector('#again');
     if (button) button.onclick = () => { dialog.close(); again(); };
@@ -140,11 +175,11 @@ export function runsShown() {
 
 export const sentence = (words) => words.charAt(0).toUpperCase() + words.slice(1);
 
-export function runList(rows, choose) {
+export function runList(rows, choose, warning = '') {
   const lines = rows.map((row) => `<tr><td>${escape(row.name)}</td><td>${escape(row.mode || '')}</td>
     <td class="${row.success ? 'ok' : ''}">${row.success ? '✓' : '✗'} ${escape(sentence((row.reason || '').replaceAll('_', ' ')))}</td>
     <td><button data-run="${escape(row.name)}">${S.review_open}</button></td></tr>`);
-  open(`<h3 id="runs">${S.review_title}</h3><p class="dim">${S.review_truth}</p>
+  open(`<h3 id="runs">${S.review_title}</h3><p class="dim">${S.review_truth}</p>${warning ? `<p class="alarm" id="review-warning">${escape(warning)}</p>` : ''}
     ${rows.length ? `<table>${lines.join('')}</table>` : `<p>${S.review_none}</p>`}
     <p id="review-error" class="alarm"></p><div class="buttons">${closeButton}</div>`,
   (dialog) => {

@@ -1,6 +1,7 @@
 // What a pilot reads: instruments, the cross-section, commands, round trip, the marks on the camera.
 
-import { BY, REASONS, S, fill } from './strings.js';
+import { BLEND, cause, sentence, whoFlies } from './decided.js';
+import { S, fill } from './strings.js';
 import { COLOUR, begin, ring, say, text } from './canvas.js';
 import { drawPixels } from './cockpit.js';
 import { along, amount, number as read, part, place, sample } from './data.js';
@@ -170,9 +171,10 @@ function barOf(colour) {
 }
 
 export class Commands {
-  setDisplay({ commands, link }) {
+  setDisplay(display) {
+    const { commands } = display;
+    this.display = display;
     this.commands = commands;
-    this.link = link;
     $('commands-title').textContent = commands.unit ? `${commands.title}, ${commands.unit}` : commands.title;
     const axes = commands.axes.map((axis) => element('span', 'dim', axis.name));
     const names = commands.rows.map((row) => element('span', row.role === 'automatic' ? 'auto' : '', row.label));
@@ -193,10 +195,10 @@ export class Commands {
       const values = said?.parts[row.value.part];
       this.commands.axes.forEach((axis, i) => this.bar(bars[i], values?.[i] ?? null, axis.highest));
     }
-    const words = sent && this.link ? [BY[sent.parts.by]] : [];
-    if (sent && sent.parts.weight !== null && sent.parts.by === 3) words.push(`${S.weight} ${sent.parts.weight}`);
-    if (sent && REASONS[sent.parts.reason]) words.push(REASONS[sent.parts.reason]);
-    say($('why'), words.join(' · '));
+    const found = whoFlies(this.display, frame);
+    const words = found ? [sentence(found)] : [cause(sent?.parts.reason)];
+    if (found?.pilot && sent.parts.weight !== null && sent.parts.by === BLEND) words.push(`${S.weight} ${sent.parts.weight}`);
+    say($('why'), words.filter(Boolean).join(' · '));
   }
 
   bar(bar, value, highest) {
@@ -275,7 +277,10 @@ export function reticle(canvas, scene, camera, frame) {
   }
   pen.stroke();
   const carrier = scene.known(camera.carried_by);
-  if (!carrier) return;
+  if (!carrier) {
+    text(pen, S.no_telemetry, cx, cy + h * 0.36 + rem, COLOUR.dim, 'center');
+    return;
+  }
   const isTruth = carrier.item.role === 'truth'; // a prediction belongs to what was measured
   for (const mark of camera.marks) {
     const at = place(frame, mark.at);

@@ -2,7 +2,7 @@
 
 import { Charts } from './charts.js';
 import { Commands, Instruments, clock, dial, drawSection, linkCounts, number, reticle, setSection } from './instruments.js';
-import { COLOUR, say } from './canvas.js';
+import { COLOUR, begin, say } from './canvas.js';
 import { drawAttitude, drawLamps, setAttitude, setLamps } from './cockpit.js';
 import { sample } from './data.js';
 import { counts, ladder } from './ladder.js';
@@ -12,6 +12,8 @@ import { S, fill } from './strings.js';
 
 const $ = (id) => document.getElementById(id);
 const CHARTS_MS = 250; // between two looks at the charts
+
+const ahead = (s) => fill(s < 0 ? S.before : S.ahead, { s: number(Math.abs(s), 1) });
 
 export class Panels {
   // `choose` is called with the name of a mode whose button is pressed.
@@ -83,7 +85,7 @@ export class Panels {
     const predicted = sample(frame, this.display.predicted);
     clock('gen', measured?.t, age, stale);
     clock('rx', measured?.received, since, stale);
-    clock('pred', predicted?.t, predicted ? fill(S.ahead, { s: number(predicted.t - now, 1) }) : '', stale);
+    clock('pred', predicted?.t, predicted ? ahead(predicted.t - now) : '', stale);
   }
 
   show({ run, frame, rungs, history, now, stale, until }) {
@@ -100,6 +102,23 @@ export class Panels {
       this.chartsAt = performance.now();
       this.charts.show(history.charts, frame, until);
     }
+  }
+
+  // Show that nothing is known.
+  blank(history) {
+    const { display } = this;
+    const frame = { signals: {} };
+    this.clocks(frame, 0, '', '', false);
+    this.instruments.show(frame, false);
+    if (display.section) drawSection(display.section, frame);
+    if (display.attitude) drawAttitude(display.attitude, frame);
+    if (display.lamps) drawLamps(display.lamps, frame);
+    this.commands.show(frame);
+    for (const id of ['dial', 'ladder']) begin($(id));
+    for (const id of ['link-counts', 'ladder-counts']) $(id).replaceChildren();
+    this.scene.place(frame, history, 0, false);
+    this.charts.show(history.charts, frame);
+    this.showReticle(frame);
   }
 
   showLink(run, frame, measured, rungs, now) {

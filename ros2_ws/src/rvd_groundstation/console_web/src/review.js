@@ -11,8 +11,9 @@ const $ = (id) => document.getElementById(id);
 const SPEED = 4; // simulated seconds per second when played
 
 export class Review {
-  constructor(link, panels, back) {
-    Object.assign(this, { link, panels, back, on: false, run: null, at: 0, playing: false });
+  // `warning` gives what is to be said to who opens a review now.
+  constructor(link, panels, back, warning = () => '') {
+    Object.assign(this, { link, panels, back, warning, on: false, run: null, at: 0, playing: false });
     $('review-close').onclick = () => this.leave();
     $('review-play').onclick = () => this.play(!this.playing);
     $('review-time').oninput = () => this.go(Number($('review-time').value));
@@ -22,7 +23,7 @@ export class Review {
   async list() {
     try {
       const rows = await this.link.get('api/runs');
-      dialogs.runList(rows, (name, error) => this.open(name, error));
+      dialogs.runList(rows, (name, error) => this.open(name, error), this.warning());
     } catch (problem) {
       dialogs.message(S.review_title, problem.message);
     }

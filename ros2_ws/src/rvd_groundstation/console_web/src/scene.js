@@ -234,8 +234,15 @@ export class Scene {
     if (flat) for (const { object } of this.bodies) object.scale.set(1, 1, 1);
     if (!this.display.camera || camera.height <= 20) return;
     // The camera sees what does not move, so its picture changes with its place alone.
-    const { at, turn } = eyeOf(this.display.camera, this.known(this.display.camera.carried_by));
+    const carrier = this.known(this.display.camera.carried_by);
+    if (!carrier) { // before any telemetry it shows nothing
+      if (this.shot !== null) this.blank(camera);
+      this.shot = null;
+      return;
+    }
+    const { at, turn } = eyeOf(this.display.camera, carrier);
     const now = [...at, ...turn];
+    this.shot ??= [];
     if (now.some((c, i) => c !== this.shot[i])) {
       this.shot = now;
       this.aim(this.display.camera, at, turn, camera);
@@ -288,11 +295,16 @@ export class Scene {
     lens.updateMatrixWorld();
   }
 
-  into(rect, lens, withSky) {
+  // Draw nothing into a rectangle.
+  blank(rect) {
     this.renderer.setViewport(rect.left, rect.bottom, rect.width, rect.height);
     this.renderer.setScissor(rect.left, rect.bottom, rect.width, rect.height);
     this.renderer.setClearColor(0x05080c, 1);
     this.renderer.clear(true, true);
+  }
+
+  into(rect, lens, withSky) {
+    this.blank(rect);
     if (withSky) {
       const place = lens.position.clone();
       lens.position.set(0, 0, 0);
@@ -376,9 +388,8 @@ export class Scene {
   }
 }
 
-// Where a camera is and how it is turned, on the body that carries it; at its start before that is known.
+// Where a camera is and how it is turned, on the body that carries it.
 function eyeOf(camera, carrier) {
-  if (!carrier) return { at: camera.start_m, turn: [0, 0, 0, 1] };
   const turn = (camera.turns && carrier.turn) || [0, 0, 0, 1];
   const arm = new THREE.Vector3(...camera.at_m).applyQuaternion(new THREE.Quaternion(...turn));
   return { at: [carrier.at[0] + arm.x, carrier.at[1] + arm.y, carrier.at[2] + arm.z], turn };

@@ -2,7 +2,8 @@
 The middle of the console: pages on one side, one run after the other on the other side.
 
 Lives on the event loop's thread alone; the ROS side hands in what it decoded through `post`,
-which any thread may call. The lease says who flies. Whoever holds the token may abort.
+which any thread may call. The lease says who flies. Whoever holds the pilot's token may abort;
+a watcher's page asks for nothing.
 """
 
 import asyncio
@@ -18,8 +19,8 @@ from rvd_groundstation.console.clients import Outbox
 from rvd_groundstation.console.feed import Feed
 from rvd_groundstation.console.lease import Lease
 from rvd_groundstation.console.protocol import (
-    encode, flight_wish, NEEDS_LEASE, PAGE_BURST, PAGE_RATE, Refused, RELEASED, Request,
-    request_of, Stick, stick_of)
+    encode, flight_wish, NEEDS_LEASE, OF_WATCHERS, PAGE_BURST, PAGE_RATE, Refused, RELEASED,
+    Request, request_of, Stick, stick_of)
 from rvd_groundstation.console.provider import MissionDisplay
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.aborts import ABORT_EVENT
@@ -32,6 +33,8 @@ HOUSEKEEPING_S = 0.25           # [s] wall time
 MAX_CLIENTS = 51                # 50 watchers and a pilot
 STICK_S = 0.5                   # [s] wall time after which a held stick is no pilot
 ANSWER_S = 2.0                  # [s] wall time in which /run/control must have answered
+BEAT = encode({'type': 'beat'})         # to a page that was told nothing for so long:
+BEAT_S = 0.1                    # [s] wall time
 WAKING = ('begin', 'command', 'event', 'final', 'paused')
 
 
@@ -56,6 +59,8 @@ class Client:
     outbox: Outbox = field(default_factory=Outbox)
     wake: asyncio.Event = field(default_factory=asyncio.Event)
     throttle: Throttle = field(default_factory=lambda: Throttle(PAGE_RATE, PAGE_BURST))
+    watches: bool = False       # has a watcher's token: never flies, never aborts
+    told_at: float = 0.0        # [s] wall time of the last message for it
     closing: str = ''
     cut: Callable[[], None] = lambda: None      # end the connection, whatever it is waiting for
 
@@ -96,23 +101,30 @@ class Hub:
 
     # -- pages ----------------------------------------------------------------------------
 
-    def join(self) -> Client | None:
-        """Return a new client with all it needs to begin, or None when the house is full."""
+    def join(self, watches: bool = False) -> Client | None:
+        """
+        Return a new client with all it needs to begin, or None when the house is full.
+
+        One that came with a watcher's token `watches`.
+        """
         if len(self.clients) >= MAX_CLIENTS:
             return None
         self._numbers += 1
-        client = Client(self._numbers)
+        client = Client(self._numbers, watches=watches)
         self.clients.add(client)
         self._tell(client, {
             'type': 'hello', 'you': client.number,
-            'can': {'fly': self._ask is not None, 'desk': self.desk is not None},
-            'display': self._display, 'mode': self._mode})
+            'can': {'fly': self._ask is not None, 'desk': self.desk is not None,
+                    'steer': not watches},
+            'flown': self.feed is not None, 'display': self._display, 'mode': self._mode})
         if self.feed is not None:
             self._tell(client, {**self.feed.run_message(self.run_name or ''),
                                 'trails': self.feed.trails,
                                 'ladder': self.feed.ladder.changes()})
         if self.verdict is not None:
             self._tell(client, self.verdict)
+        if self.feed is not None and self.feed.step >= 0:       # none comes in a pause, or later
+            self._tell(client, {**self.feed.frame(self.feed.ladder.version), 'n': self._frame})
         if self.desk is not None:
             self._tell(client, self.desk.view())
         self._status()
@@ -165,6 +177,8 @@ class Hub:
         return False
 
     def _do(self, client: Client, wish: Request) -> None:
+        if client.watches and wish.do not in OF_WATCHERS:
+            raise Refused('WATCH')
         if wish.do in NEEDS_LEASE and self.lease.holder is not client:
             raise Refused('LEASE')
         refused = self.desk.refuses(wish.do, self.aborted) if self.desk is not None else ''
@@ -373,10 +387,13 @@ class Hub:
         return encode(message)
 
     async def housekeeping(self) -> None:
-        """Notice a silent pilot, for ever."""
+        """Notice a silent pilot, and let every page hear that this server lives, for ever."""
         while True:
             await asyncio.sleep(HOUSEKEEPING_S)
             now = time.monotonic()
+            for client in list(self.clients):
+                if now - client.told_at > BEAT_S:
+                    self._put(client, BEAT, True)
             if self.lease.expire(now):
                 self._lost('the page of the pilot is silent')
                 self._status()
@@ -407,6 +424,7 @@ class Hub:
         self._put(client, encode(message), False)
 
     def _put(self, client: Client, text: str, droppable: bool) -> None:
+        client.told_at = time.monotonic()
         if not client.outbox.put(text, droppable):
             client.closing = 'SLOW'
             client.cut()

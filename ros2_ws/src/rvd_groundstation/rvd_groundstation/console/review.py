@@ -7,10 +7,12 @@ A run's bag holds the truth, which the ground must not know: it is read by a pro
 
 import asyncio
 from contextlib import suppress
+import os
 import sys
 from pathlib import Path
 from typing import Any
 
+from rvd_dynamics import lifeline
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.given import object_of
 
@@ -56,7 +58,8 @@ async def load(runs: Path | None, name: str) -> bytes:
         raise FileNotFoundError(name)
     reader = await asyncio.create_subprocess_exec(
         *READER, str(runs), name, stdin=asyncio.subprocess.DEVNULL,
-        stdout=asyncio.subprocess.PIPE, stderr=asyncio.subprocess.PIPE)
+        stdout=asyncio.subprocess.PIPE, stderr=asyncio.subprocess.PIPE,
+        env={**os.environ, lifeline.PARENT: str(os.getpid())})  # it ends with this process
     try:
         body, complaint = await reader.communicate()
     finally:

@@ -9,6 +9,7 @@ for it. Who fails takes nothing from who passes.
 import asyncio
 import hashlib
 import logging
+import re
 import ssl
 import time
 from collections.abc import Awaitable, Callable
@@ -20,12 +21,13 @@ from aiohttp import web, WSMsgType
 
 from rvd_groundstation.console import review
 from rvd_groundstation.console.access import (
-    Access, check_bind, HEADERS, new_token, Pace, SUBPROTOCOL, Throttle, token_of)
+    Access, check_bind, HEADERS, Pace, SUBPROTOCOL, Throttle, token_of)
 from rvd_groundstation.console.clients import STUCK_S
 from rvd_groundstation.console.door import (
     Answer, BAD_FRAME, Door, ELSEWHERE, STRANGER, TOO_MANY)
 from rvd_groundstation.console.hub import Client, Hub
 from rvd_groundstation.console.protocol import encode, MAX_FRAME
+from rvd_groundstation.console.tokens import tokens_of
 from rvd_dynamics.bad_input import BadInput
 
 STATIC = Path(__file__).parent / 'static'
@@ -35,6 +37,7 @@ FAILURE_RATE, FAILURE_BURST = 5.0, 5.0          # [1/s] refusals that are told w
 # for; a large one counts for several
 FILE_RATE, FILE_BURST, FILE_BYTES = 300.0, 100.0, 200_000
 PART_BYTES = 64 * 1024          # of a file, sent at a time
+NONCE = re.compile(r'[0-9a-f]{32}')       # of a page that wants a proof
 KINDS = {'.html': 'text/html; charset=utf-8', '.js': 'text/javascript; charset=utf-8',
          '.css': 'text/css; charset=utf-8', '.svg': 'image/svg+xml'}
 HEARTBEAT_S = 10.0
@@ -102,7 +105,6 @@ class Server:
         self.access: Access | None = None
         self._address = address
         self._runs = runs
-        self._token = new_token()
         self._requests = Throttle(REQUEST_RATE, REQUEST_BURST)
         self._failures = Throttle(FAILURE_RATE, FAILURE_BURST)
         self._files = Pace(FILE_RATE, FILE_BURST)
@@ -114,7 +116,7 @@ class Server:
         self.door = Door()
 
     async def start(self) -> str:
-        """Listen; return the URL to open."""
+        """Listen; return the URL for who flies. That for watchers is `access.watch_url`."""
         # What a stranger says is counted, not logged; faults of ours are logged.
         logging.getLogger('aiohttp.websocket').setLevel(logging.ERROR)
         context = self._address.tls()
@@ -124,13 +126,15 @@ class Server:
         app = web.Application(middlewares=[self._guard], client_max_size=MAX_FRAME)
         app.add_routes([
             web.get('/', self._file), web.get('/assets/{name:.+}', self._file),
-            web.get('/ws', self._socket),
+            web.get('/ws', self._socket), web.get('/api/proof', self._proof),
             web.get('/api/runs', self._list), web.get('/api/runs/{name:.+}', self._run)])
         self._runner = web.AppRunner(app, access_log=None, shutdown_timeout=0.5)
         await self._runner.setup()
         port = await self.door.open(
             self._address.bind, self._address.port, context, self._runner.server)
-        self.access = Access(self._token, self._address.bind, port, context is not None)
+        tokens = tokens_of(self._address.bind, self._address.port)
+        self.access = Access(tokens.fly, self._address.bind, port, context is not None,
+                             tokens.watch)
         self._tasks = [asyncio.create_task(self.hub.pump()),
                        asyncio.create_task(self.hub.housekeeping())]
         return self.access.url
@@ -155,7 +159,7 @@ class Server:
         why = self.access.refusal(request.headers.get('Host'), request.headers.get('Origin'),
                                   must_have_origin=request.path == '/ws')
         token_in = self._token_in.get(request.match_info.handler)
-        if why is None and token_in is not None and not self.access.knows(token_in(request)):
+        if why is None and token_in is not None and not self._lets_in(token_in(request)):
             why = 'TOKEN'
         request.protocol.begun(trusted=why is None and token_in is not None)
         if why is not None:
@@ -168,6 +172,9 @@ class Server:
             return await handler(request)
         except web.HTTPException as error:
             return Answer(error.status, error.reason)
+
+    def _lets_in(self, token: str | None) -> bool:
+        return self.access.knows(token) or self.access.watches(token)
 
     def _refuse(self, why: str) -> web.Response:
         """Say why, but not to everybody who asks again and again."""
@@ -199,6 +206,15 @@ class Server:
             for at in range(0, len(file.body), PART_BYTES):
                 await response.write(file.body[at:at + PART_BYTES])
         return response
+
+    async def _proof(self, request: web.Request) -> web.StreamResponse:
+        """Prove to a page that this server has its token, before it shows that."""
+        nonce = request.query.get('nonce', '')
+        if not NONCE.fullmatch(nonce):
+            return Answer(422, 'the nonce must be 32 hexadecimal digits')
+        return web.Response(text=encode(self.access.proofs(request.headers['Host'], nonce)),
+                            content_type='application/json',
+                            headers={'Cache-Control': 'no-store'})
 
     async def _list(self, request: web.Request) -> web.StreamResponse:
         async with self._listings:              # a slow disk must not hold up files of the page
@@ -237,7 +253,7 @@ class Server:
     # -- sockets --------------------------------------------------------------------------
 
     async def _socket(self, request: web.Request) -> web.StreamResponse:
-        client = self.hub.join()
+        client = self.hub.join(self.access.watches(_offered(request)))
         if client is None:
             return Answer(503, 'no room: 50 pages watch already')
         socket = web.WebSocketResponse(protocols=(SUBPROTOCOL,), max_msg_size=MAX_FRAME,

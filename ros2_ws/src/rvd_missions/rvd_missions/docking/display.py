@@ -313,7 +313,7 @@ class DockingDisplay(MissionDisplay):
         title = ('markers as found, over the view from the estimate'
                  if self._pinhole else 'view from the estimate')
         return Camera(
-            title, title, ('chaser',), (-4.5, 0.0, 0.0), at_m=tuple(seen(camera.place_m).tolist()),
+            title, title, ('chaser',), at_m=tuple(seen(camera.place_m).tolist()),
             turns=True, aim_m=(NEAR_X, 0.0, 0.0), half_height_m=0.4,
             half_field=(0.06, 1.06*camera.half_view), pixels=pixels,
             gauge=Gauge('mm/s', -20.0, 80.0, 10.0, 2, (

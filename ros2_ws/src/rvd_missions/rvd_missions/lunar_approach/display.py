@@ -286,7 +286,6 @@ class LunarDisplay(MissionDisplay):
                          for role in roles)
         return Camera(
             'docking camera · delayed', 'docking camera · truth', ('truth', 'chaser'),
-            self._start_m,
             marks=(CameraMark('goal', (0.0, 0.0, 0.0), self._cone.docking_radius_m),
                    CameraMark('predicted', Ref(DERIVED, 'aim'))),
             gauge=Gauge('m/s', 0.0, rate * 1.34, 0.05, 2,

@@ -172,16 +172,15 @@ class Camera:
     """
     What a camera sees that one of the bodies carries: what stands still, and no moving body.
 
-    `carried_by` names bodies; the first whose place is known carries it. It looks along
-    `look`; at the distance of `aim_m` half its picture's height is `half_height_m`, within the
-    two tangents of half the field of view `half_field`. Before any place is known it is at
-    `start_m`. Marks with role predicted are left out while the truth carries it.
+    `carried_by` names bodies; the first whose place is known carries it, and before any is, it
+    shows nothing. It looks along `look`; at the distance of `aim_m` half its picture's height is
+    `half_height_m`, within the two tangents of half the field of view `half_field`. Marks with
+    role predicted are left out while the truth carries it.
     """
 
     title: str
     review_title: str           # of a review, where the truth may carry it
     carried_by: tuple[str, ...]
-    start_m: Point
     at_m: Point = (0.0, 0.0, 0.0)           # where it is on that body, in its axes
     turns: bool = False         # with the body's attitude; else `look` and `up` stand
     aim_m: Point = (0.0, 0.0, 0.0)
@@ -198,7 +197,7 @@ class Camera:
 
     def __post_init__(self) -> None:
         require(len(self.carried_by) > 0, 'camera.carried_by', 'name a body', self.carried_by)
-        for name in ('start_m', 'at_m', 'aim_m'):
+        for name in ('at_m', 'aim_m'):
             require_point(f'camera.{name}', getattr(self, name))
         require_plane('camera', self.look, self.up)
         require_positive('camera.half_height_m', self.half_height_m)
