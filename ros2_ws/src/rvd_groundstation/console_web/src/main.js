@@ -38,7 +38,7 @@ let shownVerdict = null;
 const stick = new Stick((state, now) => link?.stick(state, now));
 const desk = new Desk(link);
 const orders = new Orders(link, store);
-const review = new Review(link, panels, () => refreshRun());
+const review = new Review(link, panels, store, () => refreshRun());
 
 function take(message) {
   if (message.type === 'desk') {
@@ -49,9 +49,12 @@ function take(message) {
   store.take(message);
   if ((message.type === 'run' || message.type === 'hello') && !review.on) refreshRun();
   if (message.type === 'status') {
-    if (message.phase === 'starting' && phase !== 'starting') dialogs.close();
+    if (message.phase === 'starting' && phase !== 'starting') {
+      dialogs.close();
+      if (review.on && message.lease === 'you') review.leave(); // who starts a run flies it
+    }
     if (message.phase === 'refused' && phase !== 'refused' && message.lease === 'you') newRun(message.note);
-    if (message.phase === 'ended' && phase === 'closing' && dialogs.runsShown()) review.list();
+    if (message.phase !== phase && dialogs.runsShown()) review.list();
     if (message.lease === 'you' && lease !== 'you') stick.taken();
     showStatus();
     desk.lease(message.lease === 'you');

@@ -2,7 +2,7 @@
 
 import { Charts } from './charts.js';
 import { Commands, Instruments, clock, dial, drawSection, linkCounts, number, reticle, setSection } from './instruments.js';
-import { COLOUR, say } from './canvas.js';
+import { COLOUR, begin, say } from './canvas.js';
 import { drawAttitude, drawLamps, setAttitude, setLamps } from './cockpit.js';
 import { sample } from './data.js';
 import { counts, ladder } from './ladder.js';
@@ -11,6 +11,9 @@ import { scaleText } from './scene.js';
 import { S, fill } from './strings.js';
 
 const $ = (id) => document.getElementById(id);
+// What is filled from frames, and so empty before the first one.
+const CANVASES = ['section', 'lights', 'ladder', 'reticle', 'ball', 'dial'];
+const WORDS = ['section-note', 'foot-words', 'why', 'ladder-counts', 'link-counts', 'charts-note'];
 const CHARTS_MS = 250; // between two looks at the charts
 
 export class Panels {
@@ -65,6 +68,18 @@ export class Panels {
     }));
     $('views').hidden = display.views.length < 2;
     this.setView(this.scene.chosen);
+  }
+
+  // As before the first run: no number, line or mark of what was shown stays.
+  blank() {
+    if (!this.display) return;
+    for (const panel of [this.instruments, this.commands, this.charts]) panel.setDisplay(this.display);
+    setModes(this.display, this.choose);
+    this.scene.place(null, null, 0, false);
+    for (const id of CANVASES) begin($(id));
+    for (const id of WORDS) $(id).textContent = '';
+    for (const id of ['gen', 'rx', 'pred']) clock(id, undefined, '', false);
+    $('foot-words').className = '';
   }
 
   setView(chosen) {
