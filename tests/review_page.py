@@ -72,6 +72,8 @@ VIDEO = """async (data) => {
   });
   video.src = URL.createObjectURL(await (await fetch(data)).blob());
   await heard('loadeddata');
+  video.currentTime = 0.001; // its first picture: at 0 Chromium may hand out none
+  await heard('seeked');
   const canvas = new OffscreenCanvas(video.videoWidth, video.videoHeight);
   const pen = canvas.getContext('2d', { willReadFrequently: true });
   const shot = () => {

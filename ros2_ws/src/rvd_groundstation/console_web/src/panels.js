@@ -1,7 +1,7 @@
 // The panels as a display describes them, filled from a frame: of a flight or of a review alike.
 
 import { Charts } from './charts.js';
-import { Commands, Instruments, clock, dial, drawSection, linkCounts, number, reticle, setSection } from './instruments.js';
+import { Commands, Instruments, clock, dial, drawSection, linkCounts, number, readout, reticle, setSection } from './instruments.js';
 import { COLOUR, begin, say } from './canvas.js';
 import { drawAttitude, drawLamps, setAttitude, setLamps } from './cockpit.js';
 import { sample } from './data.js';
@@ -13,7 +13,7 @@ import { S, fill } from './strings.js';
 const $ = (id) => document.getElementById(id);
 // What is filled from frames, and so empty before the first one.
 const CANVASES = ['section', 'lights', 'ladder', 'reticle', 'ball', 'dial'];
-const WORDS = ['section-note', 'foot-words', 'why', 'ladder-counts', 'link-counts', 'charts-note'];
+const WORDS = ['section-note', 'why', 'ladder-counts', 'link-counts', 'charts-note'];
 const CHARTS_MS = 250; // between two looks at the charts
 
 export class Panels {
@@ -79,7 +79,7 @@ export class Panels {
     for (const id of CANVASES) begin($(id));
     for (const id of WORDS) $(id).textContent = '';
     for (const id of ['gen', 'rx', 'pred']) clock(id, undefined, '', false);
-    $('foot-words').className = '';
+    readout(undefined, $('foot-words'));
   }
 
   setView(chosen) {

@@ -9,7 +9,8 @@ const FINE = 2; // pixels of a figure per pixel of the screen
 const [FILM_WIDTH, FILM_MS, FILM_BITS] = [1280, 66, 4e6]; // [px], [ms] between two pictures, [bit/s]
 const KINDS = ['video/webm;codecs=vp8', 'video/webm;codecs=vp9', 'video/webm'];
 const KEPT_MS = 60000; // a browser may take a while to save what an address stands for
-const COLUMN = 0.44; // width of what stands beside the scene, in widths of the scene
+const [STRIP, TABLE, LINE] = [15, 25, 1.5]; // [rem] strip below the scene, table in it, line of that
+const NAMES = 0.3; // part of the table
 const MOST_NUMBERS = 16; // of a part that becomes columns: states do, drawn paths do not
 
 export function save(name, content, kind) {
@@ -65,26 +66,34 @@ export function table(run) {
 
 // -- a picture ----------------------------------------------------------------------------------
 
-// What is drawn together: the scene, beside it camera, cross-section and numbers. [px of the page]
+// What is drawn together: the scene with the camera beside it, below them cross-section, numbers and
+// ladder; what a mission does not have is left out. [px of the page]
 function layout(panels) {
-  const view = $('view').getBoundingClientRect();
+  const box = (id) => $(id).getBoundingClientRect();
   const rem = parseFloat(getComputedStyle(document.documentElement).fontSize);
-  const column = Math.round(Math.min(view.width * COLUMN, 26 * rem));
-  const [head, gap] = [1.9 * rem, 0.5 * rem];
-  const boxes = [];
-  let y = head;
-  for (const id of ['camera', 'section', 'instruments-rows']) {
-    const box = $(id).getBoundingClientRect();
-    if (!box.width || !box.height) continue; // this mission has none
-    const height = id === 'instruments-rows' ? 1.5 * rem * $(id).children.length : (box.height / box.width) * column;
-    boxes.push({ id, x: view.width + gap, y, width: column, height });
-    y += height + (id === 'section' ? 2 : 1) * gap;
+  const [view, head, gap] = [box('view'), 1.9 * rem, 0.5 * rem];
+  const parts = [];
+  let width = view.width;
+  const [eye, cut, way, rows] = ['camera', 'section', 'ladder', 'instruments-rows'].map(box);
+  if (eye.width) {
+    const wide = Math.min((eye.width / eye.height) * view.height, view.width);
+    parts.push({ draw: camera, x: width + gap, y: head, width: wide, height: (wide * eye.height) / eye.width });
+    width += gap + wide;
   }
-  return { rem, head, boxes, view, panels, width: view.width + (boxes.length ? gap + column : 0), height: Math.max(view.height + head, y) };
+  const [below, tall] = [head + view.height + gap, Math.max(LINE * rem * $('instruments-rows').children.length, STRIP * rem)];
+  let x = 0;
+  const push = (draw, wide, high = tall) => {
+    parts.push({ draw, x, y: below + (tall - high) / 2, width: wide, height: high });
+    x += wide + 2 * gap;
+  };
+  if (cut.width) push(section, Math.min((tall * cut.width) / cut.height, tall));
+  if (rows.width) push(numbersOf, Math.min(TABLE * rem, width - x), LINE * rem * $('instruments-rows').children.length);
+  const left = width - x;
+  if (way.width && left > way.width / 3) push(ladder, Math.min(left, way.width), (Math.min(left, way.width) * way.height) / way.width);
+  return { rem, head, parts, view, panels, width, height: parts.some(({ y }) => y > head) ? below + tall + gap : head + view.height };
 }
 
-function compose(canvas, shape, caption) {
-  const { rem, head, boxes, view, panels, width } = shape;
+function compose(canvas, { rem, head, parts, view, panels, width }, caption) {
   const pen = canvas.getContext('2d');
   const scale = canvas.width / width;
   pen.setTransform(scale, 0, 0, scale, 0, 0);
@@ -93,22 +102,30 @@ function compose(canvas, shape, caption) {
   pen.font = `600 ${0.9 * rem}px system-ui, sans-serif`;
   pen.fillStyle = COLOUR.text;
   pen.textBaseline = 'middle';
+  pen.textAlign = 'left';
   pen.fillText(caption, 0.5 * rem, head / 2, width - rem);
   scenePart(pen, panels.scene, 'view', { x: 0, y: head, width: view.width, height: view.height });
   overView(pen, view, head, rem);
-  for (const box of boxes) {
-    if (box.id === 'instruments-rows') {
-      table2d(pen, box, rem);
-    } else if (box.id === 'section') {
-      pen.drawImage($('section'), box.x, box.y, box.width, box.height);
-    } else {
-      scenePart(pen, panels.scene, 'camera', box);
-      pen.drawImage($('reticle'), box.x, box.y, box.width, box.height);
-      pen.font = `${0.76 * rem}px system-ui, sans-serif`;
-      text(pen, $('camera-tag').textContent, box.x + 0.6 * rem, box.y + 0.9 * rem, COLOUR.measured);
-    }
-  }
+  for (const part of parts) part.draw(pen, part, rem, panels);
 }
+
+const whole = (pen, id, { x, y, width, height }) => pen.drawImage($(id), x, y, width, height);
+
+function camera(pen, to, rem, panels) {
+  scenePart(pen, panels.scene, 'camera', to);
+  whole(pen, 'reticle', to);
+  pen.font = `${0.76 * rem}px system-ui, sans-serif`;
+  text(pen, $('camera-tag').textContent, to.x + 0.6 * rem, to.y + 0.9 * rem, COLOUR.measured);
+}
+
+// Its middle alone where it is taller than the strip.
+function section(pen, { x, y, width, height }) {
+  const canvas = $('section');
+  const high = Math.min(canvas.height, (canvas.width * height) / width);
+  pen.drawImage(canvas, 0, (canvas.height - high) / 2, canvas.width, high, x, y, width, height);
+}
+
+const ladder = (pen, to) => whole(pen, 'ladder', to);
 
 // A part of the canvas that the scene is drawn into.
 function scenePart(pen, scene, name, to) {
@@ -143,16 +160,13 @@ function overView(pen, view, head, rem) {
 }
 
 // The instruments as they stand on the page.
-function table2d(pen, box, rem) {
+function numbersOf(pen, { x, y, width }, rem) {
   [...$('instruments-rows').children].forEach((row, i) => {
     const cells = [...row.children];
-    const y = box.y + 1.5 * rem * (i + 0.5);
-    const share = (box.width * 0.68) / Math.max(cells.length - 1, 1);
+    const share = (width * (1 - NAMES)) / Math.max(cells.length - 1, 1);
     cells.forEach((cell, j) => {
       pen.font = `${cell.tagName === 'B' ? 600 : 400} ${0.8 * rem}px system-ui, sans-serif`;
-      const colour = getComputedStyle(cell).color;
-      if (j === 0) text(pen, cell.textContent, box.x, y, colour);
-      else text(pen, cell.textContent, box.x + box.width * 0.32 + share * j, y, colour, 'right');
+      text(pen, cell.textContent, j ? x + width * NAMES + share * j : x, y + LINE * rem * (i + 0.5), getComputedStyle(cell).color, j ? 'right' : 'left');
     });
   });
 }
@@ -193,9 +207,10 @@ export class Film {
     const canvas = document.createElement('canvas');
     const even = (n) => 2 * Math.round(n / 2); // as the encoders want it
     Object.assign(canvas, { width: FILM_WIDTH, height: even((FILM_WIDTH * shape.height) / shape.width) });
-    compose(canvas, shape, caption());
     const parts = [];
-    this.recorder = new MediaRecorder(canvas.captureStream(1000 / FILM_MS), { mimeType: Film.kind, videoBitsPerSecond: FILM_BITS });
+    const stream = canvas.captureStream(1000 / FILM_MS);
+    compose(canvas, shape, caption()); // once there is a stream: before, nobody sees it
+    this.recorder = new MediaRecorder(stream, { mimeType: Film.kind, videoBitsPerSecond: FILM_BITS });
     this.recorder.ondataavailable = (event) => { if (event.data.size) parts.push(event.data); };
     this.recorder.onerror = (event) => { this.problem = event.error; };
     this.recorder.onstop = () => {
