@@ -32,7 +32,7 @@ export class Review {
     for (const id of ['report', 'png', 'csv', 'webm']) $(`review-${id}`).title = S[`review_${id}_hint`];
     $('review-webm').disabled = !Film.possible;
     if (!Film.possible) $('review-webm').title = S.review_webm_none;
-    $('review-time').oninput = () => this.go(Number($('review-time').value));
+    $('review-time').oninput = () => this.seek(Number($('review-time').value));
     $('review-speed').replaceChildren(...SPEEDS.map((n) => new Option(fill(S.review_times, { n }), n)));
     $('review-speed').value = USUAL;
     $('review-speed').onchange = () => { this.setSpeed(Number($('review-speed').value)); $('review-time').focus(); };
@@ -147,7 +147,7 @@ export class Review {
       Escape: () => this.leave(), Space: () => event.repeat || this.play(!this.playing),
       ArrowLeft: () => (event.shiftKey ? this.jump(-1) : this.step(-1)), ArrowRight: () => (event.shiftKey ? this.jump(1) : this.step(1)),
       ArrowUp: () => this.faster(1), ArrowDown: () => this.faster(-1),
-      Home: () => this.go(0), End: () => this.go(this.run.frames.length - 1),
+      Home: () => this.seek(0), End: () => this.seek(this.run.frames.length - 1),
     }[event.code];
     if (!act && !LIVE_KEYS.has(event.code)) return;
     event.preventDefault();
@@ -166,6 +166,7 @@ export class Review {
   rebase() {
     this.playedAt = performance.now();
     this.playedFrom = this.run.frames[this.at].t;
+    this.filmed = 0;
   }
 
   setSpeed(speed) {
@@ -212,24 +213,35 @@ export class Review {
     $('review-now').textContent = words;
     $('review-now').title = words;
     $('review-time').setAttribute('aria-valuetext', words);
-    if (this.playing) this.rebase();
+  }
+
+  // Go there, and play on from there where it plays.
+  seek(index) {
+    this.go(index);
+    this.rebase();
   }
 
   eventWords({ code, text }) {
     return (this.run.operator === 'console' && S.stick_events[code]) || text;
   }
 
+  // By the clock, unless a video is made: then by its pictures.
   advance() {
-    if (!this.playing) return;
-    const want = this.playedFrom + (this.speed * (performance.now() - this.playedAt)) / 1000;
+    if (this.playing && !this.film) this.playTo(performance.now() - this.playedAt);
+  }
+
+  playTo(ms) {
+    const want = this.playedFrom + (this.speed * ms) / 1000;
     let i = this.at;
     while (i < this.run.frames.length - 1 && this.run.frames[i].t < want) i += 1;
-    if (i !== this.at) {
-      const [at, from] = [this.playedAt, this.playedFrom];
-      this.go(i);
-      Object.assign(this, { playedAt: at, playedFrom: from });
-    }
+    if (i !== this.at) this.go(i);
     if (i >= this.run.frames.length - 1) this.play(false);
+  }
+
+  filmOn(ms) {
+    this.filmed += ms;
+    if (this.on && this.playing) this.playTo(this.filmed);
+    return this.on && this.playing;
   }
 
   // Events on the slider, where its thumb stands when they have happened, and in their list.
@@ -324,7 +336,7 @@ export class Review {
     }
     this.play(true);
     $('review-webm').textContent = S.review_webm_stop;
-    this.film = new Film(this.panels, () => this.caption(), () => this.on && this.playing, (blob, problem) => {
+    this.film = new Film(this.panels, () => this.caption(), (ms) => this.filmOn(ms), (blob, problem) => {
       this.film = null;
       $('review-webm').textContent = S.review_webm;
       if (problem) $('review-now').textContent = fill(S.review_failed, { why: problem.message });

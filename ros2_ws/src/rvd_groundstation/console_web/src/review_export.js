@@ -2,11 +2,13 @@
 
 import { COLOUR, finely, text } from './canvas.js';
 import { number as read, sample } from './data.js';
-import { TABLE_HEAD } from './review_words.js';
+import { NO_PICTURE, TABLE_HEAD } from './review_words.js';
 
 const $ = (id) => document.getElementById(id);
 const FINE = 2; // pixels of a figure per pixel of the screen
 const [FILM_WIDTH, FILM_MS, FILM_BITS] = [1280, 66, 4e6]; // [px], [ms] between two pictures, [bit/s]
+// [ms] of video that the recorder hands over at a time; after the end, for the last picture, and at most.
+const [FILM_PART_MS, FILM_LAST_MS, FILM_END_MS, FILM_HEAD] = [250, 150, 3000, 1000]; // [byte] of a video without a picture
 const KINDS = ['video/webm;codecs=vp8', 'video/webm;codecs=vp9', 'video/webm'];
 const KEPT_MS = 60000; // a browser may take a while to save what an address stands for
 const [STRIP, TABLE, LINE] = [15, 25, 1.5]; // [rem] strip below the scene, table in it, line of that
@@ -201,32 +203,39 @@ export class Film {
     return Film.kind !== undefined && Boolean(HTMLCanvasElement.prototype.captureStream);
   }
 
-  // Begins at once and ends when `goesOn()` does not or `stop` is called; then `done(blob, problem)`.
-  constructor(panels, caption, goesOn, done) {
+  // Begins at once. Before each picture after the first one `next(ms)` is called, so that none is
+  // left out by a slow machine: there the video takes longer. It ends when that returns false, or by
+  // `stop`; then `done(blob, problem)`.
+  constructor(panels, caption, next, done) {
     const shape = layout(panels);
     const canvas = document.createElement('canvas');
     const even = (n) => 2 * Math.round(n / 2); // as the encoders want it
     Object.assign(canvas, { width: FILM_WIDTH, height: even((FILM_WIDTH * shape.height) / shape.width) });
-    const parts = [];
+    Object.assign(this, { parts: [], bytes: 0, pictures: 0, ending: Infinity, done });
     const stream = canvas.captureStream(1000 / FILM_MS);
     compose(canvas, shape, caption()); // once there is a stream: before, nobody sees it
     this.recorder = new MediaRecorder(stream, { mimeType: Film.kind, videoBitsPerSecond: FILM_BITS });
-    this.recorder.ondataavailable = (event) => { if (event.data.size) parts.push(event.data); };
+    this.recorder.ondataavailable = ({ data }) => { this.parts.push(data); this.bytes += data.size; };
     this.recorder.onerror = (event) => { this.problem = event.error; };
-    this.recorder.onstop = () => {
-      clearInterval(this.timer);
-      const problem = this.problem ?? (parts.length ? undefined : new Error('no picture was recorded'));
-      done(new Blob(parts, { type: 'video/webm' }), problem);
-    };
-    this.recorder.start();
+    this.recorder.onstop = () => this.over();
+    this.recorder.start(FILM_PART_MS);
     this.timer = setInterval(() => {
+      if (this.ending === Infinity && !next(FILM_MS)) this.stop();
       compose(canvas, shape, caption());
-      if (!goesOn()) this.stop();
+      this.pictures += 1;
+      const waited = performance.now() - this.ending;
+      if (this.recorder.state !== 'inactive' && (waited > FILM_END_MS || (waited > FILM_LAST_MS && this.bytes > FILM_HEAD))) this.recorder.stop();
     }, FILM_MS);
   }
 
+  // What has been recorded is kept, the last picture and at least one of them.
   stop() {
+    if (this.ending === Infinity) this.ending = performance.now();
+  }
+
+  over() {
     clearInterval(this.timer);
-    setTimeout(() => { if (this.recorder.state !== 'inactive') this.recorder.stop(); }, 2 * FILM_MS); // the last picture, too
+    const problem = this.problem ?? (this.bytes > FILM_HEAD ? undefined : new Error(NO_PICTURE));
+    this.done(new Blob(this.parts, { type: 'video/webm' }), problem);
   }
 }

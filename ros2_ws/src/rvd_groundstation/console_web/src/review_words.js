@@ -29,3 +29,5 @@ export const REVIEW_HELP = [
 
 // First columns of the table of numbers.
 export const TABLE_HEAD = ['t [s]', 'step', 'mode'];
+
+export const NO_PICTURE = 'no picture was recorded';
