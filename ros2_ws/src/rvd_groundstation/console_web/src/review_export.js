@@ -88,7 +88,7 @@ function layout(panels) {
     parts.push({ draw, x, y: below + (tall - high) / 2, width: wide, height: high });
     x += wide + 2 * gap;
   };
-  if (cut.width) push(section, Math.min((tall * cut.width) / cut.height, tall));
+  if (cut.width) push(section, tall); // its rings are round
   if (rows.width) push(numbersOf, Math.min(TABLE * rem, width - x), LINE * rem * $('instruments-rows').children.length);
   const left = width - x;
   if (way.width && left > way.width / 3) push(ladder, Math.min(left, way.width), (Math.min(left, way.width) * way.height) / way.width);
@@ -120,11 +120,12 @@ function camera(pen, to, rem, panels) {
   text(pen, $('camera-tag').textContent, to.x + 0.6 * rem, to.y + 0.9 * rem, COLOUR.measured);
 }
 
-// Its middle alone where it is taller than the strip.
+// Its middle alone: on the page it may be wider or taller.
 function section(pen, { x, y, width, height }) {
   const canvas = $('section');
   const high = Math.min(canvas.height, (canvas.width * height) / width);
-  pen.drawImage(canvas, 0, (canvas.height - high) / 2, canvas.width, high, x, y, width, height);
+  const wide = Math.min(canvas.width, (canvas.height * width) / height);
+  pen.drawImage(canvas, (canvas.width - wide) / 2, (canvas.height - high) / 2, wide, high, x, y, width, height);
 }
 
 const ladder = (pen, to) => whole(pen, 'ladder', to);
