@@ -384,7 +384,8 @@ def test_a_video_ends_with_the_review(page):
 
 # -- how it looks -------------------------------------------------------------------------
 
-@pytest.mark.parametrize('width, height', [(1280, 720), (1024, 640), (820, 1180), (390, 844)])
+@pytest.mark.parametrize('width, height', [
+    (1280, 720), (1024, 640), (640, 360), (820, 1180), (390, 844)])
 def test_the_bar_fits_into_every_window(page, width, height):
     page.set_viewport_size({'width': width, 'height': height})
     page.wait_for_timeout(300)
