@@ -253,6 +253,7 @@ def test_space_on_a_button_presses_it_once(page):
 
 def test_keys_of_the_flight_change_nothing_of_it_from_a_review(browser, toy):
     page = open_page(browser, toy, look='plain')
+    until(page, 'Boolean(rvd.store.frame)')
     page.keyboard.press('t')
     until(page, "rvd.store.status.lease === 'you'")
     page.keyboard.press('p')
