@@ -10,7 +10,7 @@ import pytest
 from console_page import open_page, serious, until
 from review_page import (
     COLOURS, looked_at, OVERLAPS, reviewed, saved, SCENARIO, SHOWN, VIDEO)
-from runs import messages, rvd, verdict_of
+from runs import messages, rvd, verdict_of, wait_for
 from toy_console import ToyConsole, WaitingConsole
 
 pytestmark = pytest.mark.slow
@@ -273,6 +273,27 @@ def test_keys_of_the_flight_change_nothing_of_it_from_a_review(browser, toy):
     page.keyboard.press('t')
     until(page, "rvd.store.status.lease === 'free'")
     page.close()
+
+
+def test_in_a_review_abort_is_abort_and_who_starts_a_run_leaves_it(browser, runs):
+    toy = ToyConsole(runs)
+    try:
+        page, other = (reviewed(browser, toy, look='plain') for _ in range(2))
+        page.keyboard.press('x')
+        page.keyboard.press('x')
+        until(page, "rvd.review.on")
+        wait_for(lambda: toy.asked == ['abort'], 'the abort')
+        page.evaluate("(() => { rvd.link.ask({ do: 'take' }); })()")
+        until(page, "rvd.store.status.lease === 'you'")
+        toy._loop.call_soon_threadsafe(toy.hub.told, 'starting', '', 'next')
+        until(page, '!rvd.review.on')
+        until(other, "rvd.store.status.phase === 'starting'")
+        assert other.evaluate('rvd.review.on')  # who watches reads on
+        for one in (page, other):
+            assert one.problems == []
+            one.close()
+    finally:
+        toy.close()
 
 
 @pytest.mark.parametrize('speed', ['0.25', '4', '16'])
