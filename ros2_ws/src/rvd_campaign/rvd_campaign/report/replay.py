@@ -87,6 +87,7 @@ class Replay:
         self._feed: Feed | None = None
         self._every = 1
         self._truth: dict[int, dict[str, Any]] = {}
+        self._newest: tuple[int, dict[str, Any]] | None = None      # of the truth
         self._frames: list[dict] = []
         self._events: list[dict] = []
         self._damage: list[str] = []
@@ -126,6 +127,7 @@ class Replay:
         if scenario is None:
             raise _NoScenario(note)
         feed = self._feed = Feed(display_of(scenario))
+        feed.ladder.archive = []                # a review shows all of it
         display, signals = feed.display, on_ground(scenario.diagram)
         measured = signals[display.measured]
         self._width = measured.parts[0].shape[0] if measured.message == FRAME else 0
@@ -143,6 +145,10 @@ class Replay:
 
     def content(self) -> dict[str, Any]:
         """Return all of it."""
+        if self._frames and self._frames[-1]['k'] < self._feed.step:
+            self._keep_frame()                  # how it ended, whatever pictures were left out
+        if self._newest is not None:
+            self._truth.setdefault(*self._newest)
         if self._left_out:
             self.damaged(f'{self._left_out} messages left out, the first: {self._first}')
         if self._feed is None or not self._frames:
@@ -158,7 +164,7 @@ class Replay:
                          if signal['ok']}
                 truth['parts'].update(self._feed.provider.beside(shown, truth['parts']))
         return {**self._feed.run_message(self._name), 'type': 'review', 'frames': self._frames,
-                'ladder': self._feed.ladder.changes(), 'events': self._events,
+                'ladder': self._feed.ladder.whole(), 'events': self._events,
                 'verdict': self._verdict}
 
     def _telemetry(self, m: Any) -> None:
@@ -180,16 +186,20 @@ class Replay:
         self._check_step(m)
         self._feed.command(self._command_of(m))
         if m.step % self._every == 0:
-            frame = self._feed.frame(self._feed.ladder.version)
-            del frame['type'], frame['ladder']
-            self._frames.append(frame)
+            self._keep_frame()
+
+    def _keep_frame(self) -> None:
+        frame = self._feed.frame(self._feed.ladder.version)
+        del frame['type'], frame['ladder']
+        self._frames.append(frame)
 
     def _on_truth(self, m: Any) -> None:
         self._check_step(m)
         sample = self._truth_of(m)
+        made = {'k': sample.step, 't': sample.t, 'ok': sample.ok, 'parts': sample.parts}
         if m.step % self._every == 0 or sample.parts['final']:
-            self._truth[m.step] = {'k': sample.step, 't': sample.t, 'ok': sample.ok,
-                                   'parts': sample.parts}
+            self._truth[m.step] = made
+        self._newest = m.step, made
 
     def _event(self, m: Any) -> None:
         self._check_step(m)

@@ -39,13 +39,26 @@ function measure(canvas) {
   rem = parseFloat(getComputedStyle(document.documentElement).fontSize);
 }
 
+let pixels = () => Math.min(devicePixelRatio || 1, 2); // of a canvas, per pixel of the page
+
+// Do something with so many pixels in each canvas that is drawn meanwhile.
+export function finely(many, work) {
+  const usual = pixels;
+  pixels = () => many;
+  try {
+    work();
+  } finally {
+    pixels = usual;
+  }
+}
+
 export function begin(canvas) {
   if (!boxes.has(canvas)) {
     measure(canvas);
     observer.observe(canvas);
   }
   const { w, h } = boxes.get(canvas);
-  const ratio = Math.min(devicePixelRatio || 1, 2);
+  const ratio = pixels();
   const width = Math.max(1, Math.round(w * ratio));
   const height = Math.max(1, Math.round(h * ratio));
   if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });

@@ -1,5 +1,6 @@
 // What opens over the page: help, stick settings, new run, verdict, the list of runs.
 
+import { REVIEW_HELP } from './review_words.js';
 import { HELP, KEYS, REFUSED, S, fill } from './strings.js';
 import { limitWords, number } from './instruments.js';
 import { modeRows } from './modes.js';
@@ -82,7 +83,7 @@ function keyRows(display) {
 export function help(display) {
   const abort = display?.abort ? `: ${display.abort}` : '';
   const [[takeKey, takeWords], ...others] = HELP.map(([keys, what]) => [keys, fill(what, { abort })]);
-  const rows = [[takeKey, takeWords], ...keyRows(display), ...modeRows(display), ...others].map(([keys, what]) => (keys
+  const rows = [[takeKey, takeWords], ...keyRows(display), ...modeRows(display), ...others, ...REVIEW_HELP].map(([keys, what]) => (keys
     ? `<tr><td><kbd>${escape(keys)}</kbd></td><td>${escape(what)}</td></tr>` : `<tr><td colspan="2">${escape(what)}</td></tr>`));
   open(`<h3>${S.help_title}</h3><table>${rows.join('')}</table><div class="buttons"><button data-close data-key="Slash">${S.close}</button></div>`,
   (dialog) => { dialog.dataset.passes = ''; });
@@ -174,17 +175,3 @@ export function runsShown() {
 }
 
 export const sentence = (words) => words.charAt(0).toUpperCase() + words.slice(1);
-
-export function runList(rows, choose, warning = '') {
-  const lines = rows.map((row) => `<tr><td>${escape(row.name)}</td><td>${escape(row.mode || '')}</td>
-    <td class="${row.success ? 'ok' : ''}">${row.success ? '✓' : '✗'} ${escape(sentence((row.reason || '').replaceAll('_', ' ')))}</td>
-    <td><button data-run="${escape(row.name)}">${S.review_open}</button></td></tr>`);
-  open(`<h3 id="runs">${S.review_title}</h3><p class="dim">${S.review_truth}</p>${warning ? `<p class="alarm" id="review-warning">${escape(warning)}</p>` : ''}
-    ${rows.length ? `<table>${lines.join('')}</table>` : `<p>${S.review_none}</p>`}
-    <p id="review-error" class="alarm"></p><div class="buttons">${closeButton}</div>`,
-  (dialog) => {
-    for (const button of dialog.querySelectorAll('[data-run]')) {
-      button.onclick = () => choose(button.dataset.run, dialog.querySelector('#review-error'));
-    }
-  });
-}

@@ -43,7 +43,7 @@ let shownVerdict = null;
 const stick = new Stick((state, now) => link?.stick(state, now), () => heldUp());
 const desk = new Desk(link);
 const orders = new Orders(link, store);
-const review = new Review(link, panels, () => { refreshRun(); showLive(); }, () => (store.inFlight ? S.review_in_flight : ''));
+const review = new Review(link, panels, store, () => { refreshRun(); showLive(); }, () => (store.inFlight ? S.review_in_flight : ''));
 const live = new Live(() => review.leave());
 
 function take(message) {
@@ -56,9 +56,12 @@ function take(message) {
   store.take(message);
   if ((message.type === 'run' || message.type === 'hello') && !review.on) refreshRun();
   if (message.type === 'status') {
-    if (message.phase === 'starting' && phase !== 'starting') dialogs.close();
+    if (message.phase === 'starting' && phase !== 'starting') {
+      dialogs.close();
+      if (review.on && message.lease === 'you') review.leave(); // who starts a run flies it
+    }
     if (message.phase === 'refused' && phase !== 'refused' && message.lease === 'you') newRun(message.note);
-    if (message.phase === 'ended' && phase === 'closing' && dialogs.runsShown()) review.list();
+    if (message.phase !== phase && dialogs.runsShown()) review.list();
     if (message.lease === 'you' && lease !== 'you') stick.taken();
     showStatus();
     desk.lease(message.lease === 'you');

@@ -1,7 +1,7 @@
 // The panels as a display describes them, filled from a frame: of a flight or of a review alike.
 
 import { Charts } from './charts.js';
-import { Commands, Instruments, clock, dial, drawSection, linkCounts, number, reticle, setSection } from './instruments.js';
+import { Commands, Instruments, clock, dial, drawSection, linkCounts, number, readout, reticle, setSection } from './instruments.js';
 import { COLOUR, begin, say } from './canvas.js';
 import { drawAttitude, drawLamps, setAttitude, setLamps } from './cockpit.js';
 import { sample } from './data.js';
@@ -11,6 +11,9 @@ import { scaleText } from './scene.js';
 import { S, fill } from './strings.js';
 
 const $ = (id) => document.getElementById(id);
+// What is filled from frames, and so empty before the first one.
+const CANVASES = ['section', 'lights', 'ladder', 'reticle', 'ball', 'dial'];
+const WORDS = ['section-note', 'why', 'ladder-counts', 'link-counts', 'charts-note'];
 const CHARTS_MS = 250; // between two looks at the charts
 
 const ahead = (s) => fill(s < 0 ? S.before : S.ahead, { s: number(Math.abs(s), 1) });
@@ -67,6 +70,18 @@ export class Panels {
     }));
     $('views').hidden = display.views.length < 2;
     this.setView(this.scene.chosen);
+  }
+
+  // As before the first run: no number, line or mark of what was shown stays.
+  blank() {
+    if (!this.display) return;
+    for (const panel of [this.instruments, this.commands, this.charts]) panel.setDisplay(this.display);
+    setModes(this.display, this.choose);
+    this.scene.place(null, null, 0, false);
+    for (const id of CANVASES) begin($(id));
+    for (const id of WORDS) $(id).textContent = '';
+    for (const id of ['gen', 'rx', 'pred']) clock(id, undefined, '', false);
+    readout(undefined, $('foot-words'));
   }
 
   setView(chosen) {

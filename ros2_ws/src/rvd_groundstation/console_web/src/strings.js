@@ -1,6 +1,9 @@
 // Every word of the page that no mission brings, but who flies (decided.js). LADDER and REFUSED follow the codes of the messages.
 
+import { REVIEW_WORDS } from './review_words.js';
+
 export const S = {
+  ...REVIEW_WORDS,
   title: 'RVD console',
   clocks: 'Three clocks', clock_generated: 'generated on board', clock_received: 'received on the ground',
   clock_predicted: 'predicted for',

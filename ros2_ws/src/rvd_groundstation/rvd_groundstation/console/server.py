@@ -27,6 +27,7 @@ from rvd_groundstation.console.door import (
     Answer, BAD_FRAME, Door, ELSEWHERE, STRANGER, TOO_MANY)
 from rvd_groundstation.console.hub import Client, Hub
 from rvd_groundstation.console.protocol import encode, MAX_FRAME
+from rvd_groundstation.console.reports import POLICY, Reports
 from rvd_groundstation.console.tokens import tokens_of
 from rvd_dynamics.bad_input import BadInput
 
@@ -110,9 +111,11 @@ class Server:
         self._files = Pace(FILE_RATE, FILE_BURST)
         self._page: dict[str, File] = {}        # by path
         self._token_in: dict[Handler, Callable[[web.Request], str | None]] = {
-            self._socket: _offered, self._list: _bearer, self._run: _bearer}
+            self._socket: _offered, self._list: _bearer, self._run: _bearer,
+            self._ticket: _bearer}
         self._tasks: list[asyncio.Task] = []
         self._in_review = 0
+        self._reports = Reports(runs)
         self.door = Door()
 
     async def start(self) -> str:
@@ -127,7 +130,9 @@ class Server:
         app.add_routes([
             web.get('/', self._file), web.get('/assets/{name:.+}', self._file),
             web.get('/ws', self._socket), web.get('/api/proof', self._proof),
-            web.get('/api/runs', self._list), web.get('/api/runs/{name:.+}', self._run)])
+            web.get('/api/runs', self._list), web.get('/api/runs/{name:.+}', self._run),
+            web.get('/api/reports/{name:.+}', self._ticket),
+            web.get('/report/{ticket}', self._report)])
         self._runner = web.AppRunner(app, access_log=None, shutdown_timeout=0.5)
         await self._runner.setup()
         port = await self.door.open(
@@ -199,13 +204,7 @@ class Server:
         about = {**HEADERS, 'Cache-Control': 'no-cache', 'ETag': file.tag}
         if request.headers.get('If-None-Match') == file.tag:
             return web.Response(status=304, headers=about)
-        response = web.StreamResponse(headers={**about, 'Content-Type': file.kind})
-        response.content_length = len(file.body)
-        await response.prepare(request)
-        if request.method != 'HEAD':
-            for at in range(0, len(file.body), PART_BYTES):
-                await response.write(file.body[at:at + PART_BYTES])
-        return response
+        return await _in_parts(request, file.body, {**about, 'Content-Type': file.kind})
 
     async def _proof(self, request: web.Request) -> web.StreamResponse:
         """Prove to a page that this server has its token, before it shows that."""
@@ -246,6 +245,26 @@ class Server:
         response = web.Response(body=body, content_type='application/json')
         response.enable_compression()
         return response
+
+    async def _ticket(self, request: web.Request) -> web.StreamResponse:
+        name = request.match_info['name']
+        if self._under_way(name):
+            return Answer(409, 'this run is still under way')
+        try:
+            ticket = self._reports.ticket(name, time.monotonic())
+        except FileNotFoundError:
+            return Answer(404, 'no such run, or it has no report: ./rvd report makes one')
+        return web.json_response({'url': f'report/{ticket}'})
+
+    async def _report(self, request: web.Request) -> web.StreamResponse:
+        """Send the report that a ticket opens: it is not the console's page, and may do less."""
+        body = await asyncio.to_thread(
+            self._reports.read, request.match_info['ticket'], time.monotonic())
+        if body is None:
+            return Answer(404, 'this address opens no report any more: open it from the console')
+        return await _in_parts(request, body, {
+            **HEADERS, 'Content-Security-Policy': POLICY, 'Cache-Control': 'no-store',
+            'Content-Type': KINDS['.html']})
 
     def _under_way(self, name: str) -> bool:
         return self.hub.phase in ('starting', 'flying', 'closing') and name == self.hub.run_name
@@ -298,6 +317,17 @@ class Server:
             client.cut()
             return
         await socket.close(code=1008, message=client.closing.encode())
+
+
+async def _in_parts(request: web.Request, body: bytes, headers: dict[str, str]
+                    ) -> web.StreamResponse:
+    response = web.StreamResponse(headers=headers)
+    response.content_length = len(body)
+    await response.prepare(request)
+    if request.method != 'HEAD':
+        for at in range(0, len(body), PART_BYTES):
+            await response.write(body[at:at + PART_BYTES])
+    return response
 
 
 async def _shake_hands(socket: web.WebSocketResponse, request: web.Request) -> None:
