@@ -26,7 +26,7 @@ pytestmark = [pytest.mark.slow, pytest.mark.patient]
 PHONE = {'width': 390, 'height': 844}
 FLIGHTS = {                             # mission: short, but with all its figures
     'lunar_approach': 'timeout_s: 60.0', 'obstacle_field': 'timeout_s: 60.0',
-    'docking': 'timeout_s: 20.0', 'elliptic_rendezvous': 'timeout_s: 600.0',
+    'docking': 'timeout_s: 10.0, limits: {from_s: 5.0}', 'elliptic_rendezvous': 'timeout_s: 600.0',
     'attitude_hold': 'timeout_s: 60.0', 'tether': '', 'tether_delay': ''}
 CAMPAIGN = """
 seed: 2
@@ -66,12 +66,12 @@ def people(folder):
             run = folder / who / f'{number:02d}-{name}'
             run.mkdir(parents=True)
             (run / 'verdict.json').write_text(json.dumps({
-                'success': number % 4 > 0, 'reason': 'docked', 'duration_s': 120.0,
+                'success': (number + (who == 'P02')) % 4 > 0, 'reason': 'docked', 'duration_s': 120.0,
                 'measures': measures}))
             (run / 'ratings.json').write_text(json.dumps({
                 'volunteer': who, 'number': number, 'condition': name, 'mode': conditions[name],
                 'training': number < 4, 'seed': 1, 'cooper_harper': {'rating': number},
-                'tlx': {'mean': 10.0 * number}}))
+                'tlx': {'mean': 10.0 * number - 15.0 * (who == 'P02')}}))
     (folder / 'session.json').write_text(json.dumps({'title': 'Two', 'conditions': conditions}))
     return write_session_report(folder).read_text()
 
@@ -113,6 +113,12 @@ CUT = """[...document.querySelectorAll('body *')].filter((e) => !e.closest('.scr
     e.getBoundingClientRect().right > innerWidth + 0.5).map((e) => e.outerHTML.slice(0, 80))"""
 
 
+SMALLEST = """Math.min(...[...document.querySelectorAll('svg text')].map((e) => {
+    const to = e.getScreenCTM();
+    return parseFloat(getComputedStyle(e).fontSize) * Math.hypot(to.a, to.b);
+}))"""
+
+
 def test_no_report_runs_out_sideways_on_a_phone(pages, phone):
     for name, file in pages.items():
         phone.goto(file.as_uri())
@@ -136,9 +142,8 @@ def test_every_figure_can_be_read_and_has_its_text(pages, phone):
         phone.goto(file.as_uri())
         texts = phone.evaluate(
             "[...document.querySelectorAll('svg')].map((e) => e.getAttribute('aria-label'))")
-        assert texts and all(text and len(text) > 40 for text in texts), name
-        shown = phone.locator('svg').first.aria_snapshot()
-        assert 'img' in shown and texts[0][:20] in shown, name
-        least = phone.evaluate("""Math.min(...[...document.querySelectorAll('svg text')].map(
-            (e) => parseFloat(getComputedStyle(e).fontSize) * e.getScreenCTM().a))""")
-        assert least > 6.0, name
+        assert texts and all(text and len(text) > 20 for text in texts), name
+        for text in texts:
+            assert phone.get_by_role('img', name=text, exact=True).count() >= 1, (name, text)
+        least = phone.evaluate(SMALLEST)
+        assert least > 5.0, (name, least)       # [px] of CSS; 6 pt is the least that is drawn

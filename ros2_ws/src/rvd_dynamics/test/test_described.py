@@ -40,6 +40,9 @@ def test_it_is_the_text_of_the_element_and_does_no_harm_there():
 def test_one_panel_has_no_number_and_an_empty_drawing_says_so():
     figure = canvas(2.0)
     assert described(figure) == 'Nothing is drawn.'
+    figure.text(0.5, 0.5, 'no obstacles')
+    assert described(figure) == 'no obstacles.'
+    figure = canvas(2.0)
     figure.subplots().plot([1.0, 2.0, 3.0], [np.nan]*3, label='x')
     assert described(figure).endswith('it shows x (no data).')
     assert described(figure).startswith('vertical axis from ')

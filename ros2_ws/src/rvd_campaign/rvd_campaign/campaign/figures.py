@@ -52,7 +52,9 @@ class Results:
 def success(results: Results) -> Drawn:
     """Draw the success rate of each condition with its interval, beside the references."""
     names = list(results.rows)
-    figure = canvas(max(1.6, 0.75 + 0.28*len(names)), left=0.27)
+    said = [worded(name) for name in names]
+    left = min(0.04 + 0.0072*max(map(len, said)), 0.5)          # room for the longest name
+    figure = canvas(max(1.6, 0.75 + 0.28*len(names)), left=left)
     axes = figure.subplots()
     for at, name in enumerate(names):
         row = results.rows[name]
@@ -63,7 +65,7 @@ def success(results: Results) -> Drawn:
             _interval(axes, names.index(row['condition']) + 0.25, row['successes'], row['runs'],
                       VERMILLION, 'D', False)
     axes.set(yticks=range(len(names)), ylim=(len(names) - 0.4, -0.6), xlabel='success rate')
-    axes.set_yticklabels([worded(name) for name in names])
+    axes.set_yticklabels(said)
     axes.grid(axis='y', visible=False)
     caption = ('Bars: 95 % intervals (Wilson). Hollow markers: fitted to this very success rate, '
                'so not a prediction.')

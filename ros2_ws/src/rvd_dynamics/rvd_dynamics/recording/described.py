@@ -26,7 +26,8 @@ def described(figure: 'Figure') -> str:
     panels = [said for axes in figure.axes if (said := _panel(axes))]
     if len(panels) > 1:
         panels = [f'Panel {i}: {said}' for i, said in enumerate(panels, 1)]
-    text = ' '.join(panels) or 'Nothing is drawn.'
+    words = [_one_line(text.get_text()) for text in figure.texts]
+    text = ' '.join([*panels, *(f'{said}.' for said in words)]) or 'Nothing is drawn.'
     return text if len(text) <= LONGEST else text[:LONGEST].rpartition(' ')[0] + ' …'
 
 

@@ -5,6 +5,7 @@ They are drawn from the result table; tracks are flown again for the runs that a
 """
 
 from math import ceil
+from textwrap import fill
 from typing import Any, TYPE_CHECKING
 
 import numpy as np
@@ -48,7 +49,7 @@ def landing(results: Any) -> Drawn:
         axes.set(xlim=(-1.1*radius, 1.1*radius), ylim=(-1.1*radius, 1.1*radius), aspect='equal',
                  xlabel='z, cross track [m]', ylabel='y, radial [m]')
         upper = table['y_m'][table['success']] > 0.0
-        words = worded(condition.name)
+        words = fill(worded(condition.name), 96 // columns)
         axes.set_title(f'{words}\n{100*upper.mean():.0f} % at y > 0' if upper.size else words)
     for axes in figure.axes[len(shown):]:
         axes.remove()
@@ -68,8 +69,8 @@ def tracks(results: Any) -> Drawn:
         states = flown_again(condition.scenario, results.tables[condition.name])
         for axes, lateral in zip(line, (1, 2)):
             _side_view(axes, condition.scenario, states, lateral)
-            axes.set_title(f'{worded(condition.name)}: '
-                           f'{("", "from the side", "from above")[lateral]}')
+            axes.set_title(fill(f'{worded(condition.name)}: '
+                                f'{("", "from the side", "from above")[lateral]}', 56))
         if states.shape[1]:
             share = _left_boundary(condition.scenario, states)
             outside.append(f'{worded(condition.name)} {100*share:.0f} %')

@@ -47,8 +47,8 @@ def tracks(results: Any) -> Drawn:
                    label=worded(condition.name))
         name_planes(axes, scenario.part('craft'))
         axes[1].legend(loc='best')
-    return figure, ('True tracks from the side and from above, as the console shows them. Red: the '
-                    'obstacles where they start; dotted: the way of those that move.')
+    return figure, ('True tracks from the side and from above, as the console shows them. Discs: '
+                    'the obstacles where they start; dotted: the way of those that move.')
 
 
 def speeds(results: Any) -> Drawn:

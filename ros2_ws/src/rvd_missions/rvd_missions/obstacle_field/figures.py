@@ -125,7 +125,7 @@ def alarms(run: Recording) -> Any:
 
 FIGURES = {
     'track': Figure(
-        track, 'Track', 'True track from the side and from above, as the console shows it. Red: '
+        track, 'Track', 'True track from the side and from above, as the console shows it. Discs: '
         'the obstacles where they start; dotted: the way of those that move.', signals=(TRUTH,)),
     'approach': Figure(
         approach, 'Approach', 'Distance to the target, with the distance of arrival dashed; speed '
