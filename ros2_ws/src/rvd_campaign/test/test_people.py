@@ -113,10 +113,12 @@ def test_flights_of_a_version_without_measures_are_still_reported(session):
 def test_conditions_are_named_in_words_and_figures_come_before_the_table(session):
     file = session / 'session.json'
     file.write_text(json.dumps({'title': 't', 'conditions': {
-        'manual': 'manual', 'shared': 'shared', 'late_auto': 'auto'}}))
+        'manual': 'manual', 'shared': 'shared', 'late_auto': 'auto', 'automatic': 'auto'}}))
     flight(session, 'P03', 1, 'late_auto', True)
+    flight(session, 'P03', 2, 'automatic', True)
     page = write_session_report(session).read_text()
-    for words in ('manual control', 'shared control', 'late auto (automatic control)'):
+    for words in ('manual control', 'shared control', 'late auto (automatic control)',
+                  'automatic control'):
         assert f'<td>{words}</td>' in page and f'{words} <b>' in page
     assert 'late_auto' not in page
     for title in ('Success', 'Ratings', 'Learning'):

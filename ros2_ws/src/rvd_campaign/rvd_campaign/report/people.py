@@ -160,7 +160,8 @@ def _in_words(session: dict[str, Any]) -> dict[str, str]:
     said = {}
     for name, mode in session['conditions'].items():
         flown = MODES.get(str(mode), worded(str(mode)))
-        said[name] = flown if name == mode else f'{worded(name)} ({flown})'
+        alike = flown.startswith(worded(name))          # 'automatic' of automatic control
+        said[name] = flown if alike else f'{worded(name)} ({flown})'
     return said
 
 
