@@ -37,8 +37,11 @@ def landing(results: Any) -> Drawn:
     shown = results.shown
     columns = min(len(shown), 4 if len(shown) in (4, 7, 8) else 3)
     lines = ceil(len(shown) / columns)
-    figure = canvas(0.3 + 3.1*lines, top=0.35, hspace=0.42, wspace=0.24)
-    for axes, condition in zip(figure.subplots(lines, columns, squeeze=False).flat, shown):
+    titles = [_landed(c.name, results.tables[c.name], 96 // columns) for c in shown]
+    top = 0.12 + 0.16*max(title.count('\n') + 1 for title in titles)
+    figure = canvas(0.3 + 3.1*lines, top=top, hspace=0.42, wspace=0.24)
+    panels = figure.subplots(lines, columns, squeeze=False).flat
+    for axes, condition, title in zip(panels, shown, titles):
         table = results.tables[condition.name]
         good = np.flatnonzero(table['success'])[:LANDED]
         axes.plot(table['z_m'][good], table['y_m'][good], '.', color=BLUE, markersize=4.5,
@@ -48,15 +51,19 @@ def landing(results: Any) -> Drawn:
                               linestyle=DASHED))
         axes.set(xlim=(-1.1*radius, 1.1*radius), ylim=(-1.1*radius, 1.1*radius), aspect='equal',
                  xlabel='z, cross track [m]', ylabel='y, radial [m]')
-        upper = table['y_m'][table['success']] > 0.0
-        words = fill(worded(condition.name), 96 // columns)
-        axes.set_title(f'{words}\n{100*upper.mean():.0f} % at y > 0' if upper.size else words)
+        axes.set_title(title)
     for axes in figure.axes[len(shown):]:
         axes.remove()
     return figure, (
         'Where successful runs met the docking plane, seen along the direction of flight: at most '
         f'the first {LANDED} of each condition. Dashed: the limit. The percentages are of all '
         'successful runs.')
+
+
+def _landed(name: str, table: dict[str, NDArray], width: int) -> str:
+    """Return the title of a condition's panel, in lines of `width` characters."""
+    upper, words = table['y_m'][table['success']] > 0.0, fill(worded(name), width)
+    return f'{words}\n{100*upper.mean():.0f} % at y > 0' if upper.size else words
 
 
 def tracks(results: Any) -> Drawn:
