@@ -101,7 +101,7 @@ def test_steps_of_an_abort_are_nobodys_decision(recording):
 
 
 def test_each_measure_has_its_row_unless_it_is_unknown_and_without_limit(html):
-    table = re.search(r'<h2>Verdict</h2>\s*(<table.*?</table>)', html, re.S)[1]
+    table = re.search(r'<h2>Verdict</h2>\s*<div[^>]*>\s*(<table.*?</table>)', html, re.S)[1]
     names = re.findall(r'<tr><td>(.*?)</td>', table)
     assert names == ['closing rate at docking', 'lateral offset at docking',
                      'least corridor margin', 'delta-v']

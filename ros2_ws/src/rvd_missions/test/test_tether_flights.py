@@ -273,6 +273,11 @@ def test_a_gripper_that_turns_away_from_the_target_is_blind_and_aborts():
     assert blind.any() and not blind.all()
     assert_allclose(braking[blind], 16.0/0.05, atol=3)
     assert braking[~blind].max() < 10
+    truth = batch.history[TRUTH.name]
+    out = geometry.sight_angle(truth.state[..., 6:10], truth.target) >= APPROACH.view_rad
+    first = np.where(blind, out.argmax(axis=0)*0.05, np.nan)
+    assert_allclose(batch.verdict.happened, first)
+    assert (batch.verdict.happened[blind] < batch.verdict.duration[blind] - 1.0).all()
 
 
 def test_a_measurement_that_is_missing_is_no_blindness_and_is_bridged():

@@ -31,6 +31,7 @@ from rvd_dynamics.recording.series import Commands, LinkHistory, Series, SERIES,
 
 MOST_EVENTS = 1000              # rows of the table of events
 MOST_SILENCES = 10              # of them that stand above, too
+LONG = 10                       # rows of measures that push the figures off the screen
 LARGEST = 1e12                  # no quantity of a run is larger; a figure of what is may fail
 YES, NO, DASH = '\u2713', '\u2717', '\u2013'
 DECIDED = {codes.BY_NOBODY: 'nobody (no valid input)', codes.BY_PILOT: 'pilot alone',
@@ -93,7 +94,7 @@ def page(run: Recording, doubts: Iterable[str] = (), told: Told = Told()) -> str
     mark, kind = '?', 'open'
     if run.judged and not doubts:
         mark, kind = (YES, 'good') if run.verdict.success else (NO, 'bad')
-    shown = run.verdict.measures if run.verdict else ()
+    first, further = _measures(run.verdict.measures if run.verdict else ())
     links = {name: link.history for name, link in run.links.items()}
     drawn = [_drawn(name, figure, run) for name, figure in figures_of(run).items()]
     content = dict(
@@ -105,12 +106,21 @@ def page(run: Recording, doubts: Iterable[str] = (), told: Told = Told()) -> str
         warnings=[*(f'Not to be trusted: {doubt}.' for doubt in doubts), *_warnings(run, told),
                   *_damage(run, series), *(d for d in drawn if isinstance(d, str))],
         verdict=run.verdict, judged=run.judged,
-        measures=[(m, _used(m)) for m in shown if m.known or m.limited],
+        measures=[(m, _used(m)) for m in first], further=[(m.words, m.said) for m in further],
         figures=[d for d in drawn if isinstance(d, Drawn)],
         events=_events(run),
         topics=[(topic, n, run.missing.get(topic, ''), run.lost.get(topic, 0))
                 for topic, n in run.counts.items()],
         scenario=run.scenario_text, **content)
+
+
+def _measures(judged: Iterable[Judged]) -> tuple[list[Judged], list[Judged]]:
+    """Return the measures of the verdict, and those for below the figures, of a long table."""
+    shown = [m for m in judged if m.known or m.limited]
+    limited = [m for m in shown if m.limited]
+    if len(shown) <= LONG or not limited:
+        return shown, []
+    return limited, [m for m in shown if not m.limited]
 
 
 class _AsFarAsReadable(Mapping):

@@ -64,6 +64,8 @@ class Verdict(NamedTuple):
     reason: Any                 # [text]  a key of the judge's `reasons`, or ABORTED; empty: under way
     duration: Any               # [s]     from the start to the end of the run, or so far
     values: dict[str, Any]      # name of each measure: its value [its unit]; NaN while unknown
+    happened: Any = None        # [s]     from the start to what the reason names; NaN, or None for
+    #                                     all: with the end of the run, or not known
 
 
 class Judge(Protocol):
@@ -137,15 +139,19 @@ class Judgement(NamedTuple):
 
     success: bool
     reason: str                 # empty while the run goes on
-    words: str                  # the reason for people; empty while the run goes on
+    words: str                  # the reason for people, with the time of what came before the end;
+    #                             empty while the run goes on
     duration: float             # [s]
     measures: tuple[Judged, ...]
 
     @property
     def headline(self) -> str:
-        """What happened and when, in a few words."""
+        """What happened and when, in a few words; a failure may come long before the end."""
         after = f'after {self.duration:.1f} s'
-        return f'{self.words} {after}' if self.success else f'failed {after}: {self.words}'
+        if self.success:
+            return f'{self.words} {after}'
+        ended = f'; the run ended {after}' if isfinite(self.duration) else ''
+        return f'failed: {self.words}{ended}'
 
     def value(self, name: str) -> float:
         """Return the value of a measure; NaN while unknown, or where there is no such measure."""
@@ -179,10 +185,12 @@ def judgement(judge: Judge, verdict: Verdict, row: int | tuple[int, ...] = ()) -
         return np.asarray(values)[row].item()
 
     reason = one(verdict.reason)
+    words = ABORTED_WORDS if reason == ABORTED else judge.reasons.get(reason, reason)
+    happened = NAN if verdict.happened is None else one(verdict.happened)
+    if reason and isfinite(happened):
+        words = f'{words} at {happened:.1f} s'
     return Judgement(
-        one(verdict.success), reason,
-        ABORTED_WORDS if reason == ABORTED else judge.reasons.get(reason, reason),
-        one(verdict.duration),
+        one(verdict.success), reason, words, one(verdict.duration),
         tuple(_judged(m, one(verdict.values[m.name])) for m in judge.measures))
 
 
