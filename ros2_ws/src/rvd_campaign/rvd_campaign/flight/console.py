@@ -225,7 +225,14 @@ def _fly(page: ConsoleProcess, scenario: Scenario, run_dir: Path, runs: Path, do
         if page.stop_asked():
             stopped.append(True)
         return bool(stopped)
-    flight = fly.Flight(scenario, run_dir, domain, headless, stop_asked, console=True)
+    said = ['']
+
+    def progress(words: str) -> None:
+        if words != said[0]:                    # it is looked at several times a second
+            said[0] = words
+            page.tell('progress', name, words)
+    flight = fly.Flight(scenario, run_dir, domain, headless, stop_asked, console=True,
+                        progress=progress)
     code = flight.fly()
     if code == EXIT_INTERRUPTED and not stopped:
         raise KeyboardInterrupt

@@ -37,13 +37,14 @@ class Flight:
     """One run under supervision."""
 
     def __init__(self, scenario: Scenario, run_dir: Path, domain: int, headless: bool,
-                 stop_asked: Callable[[], bool] = lambda: False, console: bool = False) -> None:
+                 stop_asked: Callable[[], bool] = lambda: False, console: bool = False,
+                 progress: Callable[[str], None] = lambda words: None) -> None:
         self._scenario = scenario
         self._run = scenario.run
         self._roster = listed(scenario, headless, console)
         self._run_dir, self._domain = run_dir, domain
         self._headless = headless
-        self._stop_asked = stop_asked
+        self._stop_asked, self._progress = stop_asked, progress
         self._run_id = new_run()
         self.problem = ''                       # why the run could not be flown
         self._fault = False                     # of this software: not what it was given
@@ -361,6 +362,8 @@ class Flight:
         for event in self._watch.new_events():
             self._end_line()
             print(one_line(f'  {event.step * self._run.step_s:.1f} s {event.node}: {event.text}'))
+        if not self._watch.steps:
+            self._progress(one_line(self._starting.progress(len(self._watch.ready))))
         if self._headless:
             return
         line = one_line(self._watch.line())

@@ -1,7 +1,8 @@
 // What a pilot reads: instruments, the cross-section, commands, round trip, the marks on the camera.
 
 import { BY, REASONS, S, fill } from './strings.js';
-import { COLOUR, begin, ring, say, text } from './canvas.js';
+import { pointTo } from './beyond.js';
+import { COLOUR, begin, ring, say, small, text } from './canvas.js';
 import { drawPixels } from './cockpit.js';
 import { along, amount, number as read, part, place, sample } from './data.js';
 
@@ -131,6 +132,10 @@ export function drawSection(section, frame) {
     const colour = COLOUR[spot.role];
     const [x, y] = at(p);
     pen.strokeStyle = colour;
+    if (Math.hypot(x - cx, y - cy) > size + 0.5 * rem) { // it lies beyond what the cut shows
+      pointTo(pen, [cx, cy], size, [x, y], colour, rem, `${(Math.hypot(x - cx, y - cy) / scale).toFixed(1)} m`);
+      continue;
+    }
     const from = spot.origin && place(frame, spot.origin);
     if (from) {
       pen.setLineDash([rem * 0.2, rem * 0.2]);
@@ -244,7 +249,7 @@ export function dial(canvas, run, roundTrip, transit) {
   pen.stroke();
   pen.font = `600 ${1.35 * rem}px system-ui, sans-serif`;
   text(pen, roundTrip === undefined ? S.unknown : `${roundTrip.toFixed(1)} s`, cx, cy - rem * 0.05, COLOUR.text, 'center');
-  pen.font = `${0.7 * rem}px system-ui, sans-serif`;
+  pen.font = `${small(rem)}px system-ui, sans-serif`;
   text(pen, `${run.forward_s} + ${run.back_s} s`, cx, cy + rem * 1.05, COLOUR.dim, 'center');
 }
 
@@ -262,9 +267,11 @@ export function linkCounts(frame, measured, step) {
 
 // -- marks on the camera ------------------------------------------------------------------------
 
-// Over its picture: a cross, the marks of the display, a gauge, the distance.
-export function reticle(canvas, scene, camera, frame) {
+// Over its picture: a cross, the marks of the display, a gauge, the distance; `digits` is the element
+// below which nothing is drawn.
+export function reticle(canvas, scene, camera, frame, digits) {
   const { pen, w, h, rem } = begin(canvas);
+  const floor = camera.numbers ? digits.offsetTop : h;
   const [cx, cy] = [w / 2, h / 2];
   pen.strokeStyle = '#dbe5ee90';
   pen.beginPath();
@@ -294,7 +301,8 @@ export function reticle(canvas, scene, camera, frame) {
     pen.beginPath(); pen.moveTo(cx, cy); pen.lineTo(x, y); pen.stroke();
   }
   if (camera.pixels) drawPixels(pen, { w, h, rem }, camera.pixels, frame, scene.cameraTan);
-  if (camera.gauge) drawGauge(pen, w, h, rem, camera.gauge, frame, isTruth);
+  if (camera.gauge) drawGauge(pen, w, floor, rem, camera.gauge, frame, isTruth);
+  if (camera.numbers) return;
   const distance = camera.distance.map((one) => read(frame, one.value)).find((v) => v !== undefined);
   if (distance !== undefined) text(pen, `${number(distance, camera.digits)} ${camera.unit}`, rem * 0.6, h - rem * 0.9, COLOUR.measured);
 }

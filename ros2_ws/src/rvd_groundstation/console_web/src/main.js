@@ -1,10 +1,13 @@
 // The page: words into their places, messages into the store, the store onto the screen.
 
+import { AlarmBar } from './alarmbar.js';
 import { say } from './canvas.js';
+import { Coach } from './coach.js';
 import { Desk } from './desk.js';
 import * as dialogs from './dialogs.js';
 import { number } from './instruments.js';
 import { inForce } from './ladder.js';
+import { watchLayout } from './layout.js';
 import { link } from './link.js';
 import { inTurn, ofKey, showModes } from './modes.js';
 import { Orders } from './orders.js';
@@ -39,6 +42,9 @@ const stick = new Stick((state, now) => link?.stick(state, now));
 const desk = new Desk(link);
 const orders = new Orders(link, store);
 const review = new Review(link, panels, () => refreshRun());
+const alarms = new AlarmBar(store);
+watchLayout(scene);
+const coach = new Coach(store, scene, stick);
 
 function take(message) {
   if (message.type === 'desk') {
@@ -129,13 +135,13 @@ function nextMode() {
 const PRESSES = {
   KeyT: toggleLease, KeyP: togglePause, KeyX: abort, KeyN: () => newRun(), KeyV: () => panels.nextView(),
   KeyL: () => review.list(), KeyG: () => padDialog(stick, store.display), Slash: () => dialogs.help(store.display),
-  KeyM: nextMode,
+  KeyM: nextMode, KeyK: () => alarms.acknowledge(), KeyO: () => alarms.toggleSound(),
   Equal: () => scene.zoom(0.85), Minus: () => scene.zoom(1.18),
   BracketLeft: () => scene.turn(0.15, 0), BracketRight: () => scene.turn(-0.15, 0),
 };
 addEventListener('keydown', (event) => {
   if (event.repeat || event.ctrlKey || event.metaKey || event.altKey || typing(event.target)) return;
-  if ($('dialog').open && event.code !== 'KeyX') return;
+  if ($('dialog').open && !['KeyX', 'KeyK', 'KeyO'].includes(event.code)) return;
   const mode = ofKey(store.display, event.code);
   if (PRESSES[event.code] && link) PRESSES[event.code]();
   else if (mode && link && !review.on) setMode(mode.name);
@@ -178,7 +184,7 @@ function showBanner(silence) {
   if (ordered) banner(...ordered, true);
   else if (!store.connected && link) banner(S.socket_closed, '', true);
   else if (status.phase === 'idle') banner(S.idle, S.idle_text);
-  else if (status.phase === 'starting') banner(S.starting, status.run || '');
+  else if (status.phase === 'starting' || (status.phase === 'flying' && !frame)) banner(S.starting, status.progress || status.run || '');
   else if (status.phase === 'refused') banner(S.run_refused, status.note, true);
   else if (status.note?.startsWith('failed')) banner(S.run_failed, status.note.slice(7), true);
   else if (silence > STALE_S) banner(fill(S.stale_frames, { s: silence.toFixed(0) }), '', true);
@@ -255,6 +261,7 @@ function draw(at) {
     else showFrame();
   }
   scene.draw();
+  if (due) coach.show(review.on);
   if (due) panels.showReticle(review.on ? review.frame() : store.frame);
 }
 
@@ -262,4 +269,4 @@ showStatus();
 if (link) link.listen(take);
 else dialogs.message(S.no_token_title, S.no_page_token);
 requestAnimationFrame(draw);
-window.rvd = { store, scene, stick, review, link }; // for tests and the curious
+window.rvd = { store, scene, stick, review, link, panels, alarms }; // for tests and the curious

@@ -3,6 +3,7 @@
 import { Charts } from './charts.js';
 import { Commands, Instruments, clock, dial, drawSection, linkCounts, number, reticle, setSection } from './instruments.js';
 import { COLOUR, say } from './canvas.js';
+import { CameraDigits } from './digits.js';
 import { drawAttitude, drawLamps, setAttitude, setLamps } from './cockpit.js';
 import { sample } from './data.js';
 import { counts, ladder } from './ladder.js';
@@ -20,6 +21,7 @@ export class Panels {
     this.instruments = new Instruments();
     this.commands = new Commands();
     this.charts = new Charts();
+    this.digits = new CameraDigits();
     this.chartsAt = 0;
     this.text = '';
   }
@@ -36,6 +38,7 @@ export class Panels {
     this.instruments.setDisplay(display);
     this.commands.setDisplay(display);
     this.charts.setDisplay(display);
+    this.digits.setDisplay(display.camera);
     setSection(display.section);
     setAttitude(display.attitude);
     setLamps(display.lamps);
@@ -94,6 +97,7 @@ export class Panels {
     if (display.attitude) drawAttitude(display.attitude, frame);
     if (display.lamps) drawLamps(display.lamps, frame);
     this.commands.show(frame);
+    this.digits.show(frame, stale);
     if (display.link) this.showLink(run, frame, measured, rungs, now);
     this.scene.place(frame, history, now, stale);
     if (performance.now() - this.chartsAt > CHARTS_MS) {
@@ -110,6 +114,8 @@ export class Panels {
   }
 
   showReticle(frame) {
-    if (this.display?.camera && frame) reticle($('reticle'), this.scene, this.display.camera, frame);
+    if (!this.display?.camera || !frame) return;
+    reticle($('reticle'), this.scene, this.display.camera, frame, $('digits'));
+    this.digits.field(this.scene.cameraTan);
   }
 }

@@ -81,7 +81,7 @@ class DockingDisplay(MissionDisplay):
             'glow': self._glow.round(2).tolist(), 'pulses': self._pulses.tolist(),
             'spent': self._spent, 'wrench': (
                 self._form.effect(self._valves.astype(np.uint8))/AUTHORITY).tolist(),
-            'dashed': ['dashed: \u00b12\u03c3; errors: truth, in a review', False],
+            'known': ['errors: truth, in a review', False],
             'books': [f'{int(self._pulses.sum())} pulses, {1000.0*self._spent:.0f} g booked',
                       False]}
         made |= self._estimated(newest.get(ESTIMATE.name))
@@ -110,7 +110,7 @@ class DockingDisplay(MissionDisplay):
             'extent': float(max(1.15*max(wall, across), 0.1)),
             'cut': [f'at {distance:.2f} m', False],
             'angles': (DEG*attitude.rotation_vector(q)).tolist(), 'rates': (DEG*spin).tolist(),
-            'sigma_m': float(sigma[:3].max()), 'sigma_deg': DEG*float(sigma[6:].max()),
+            'sigma_mm': (1000.0*sigma[:3]).tolist(), 'sigma_deg': (DEG*sigma[6:]).tolist(),
             # of all three axes together, as the error beside it
             'sigmas': [float(np.sqrt(np.sum(part*part))) for part in
                        (1000.0*sigma[:3], 1000.0*sigma[3:6], DEG*sigma[6:])],
@@ -305,13 +305,13 @@ class DockingDisplay(MissionDisplay):
             charts=Charts('Course', (
                 Chart('distance, m', (of('distance'), of('planned'), true('distance')), least=0.1,
                       names=('flown', 'planned', 'true'), centred=False,
-                      levels=(self._limits_at(-1.0), self._limits_at(1.0))),
-                Chart('error, mm', tuple(true('error_mm', (i,)) for i in range(3)),
-                      of('sigma_m', factor=1000.0), least=0.5,
-                      names=('x', 'y', 'z')),
-                Chart('error, deg', tuple(true('error_deg', (i,)) for i in range(3)),
-                      of('sigma_deg'), least=0.02, names=('x', 'y', 'z'))),
-                note=Ref(DERIVED, 'dashed'), window_s=60.0),
+                      levels=(self._limits_at(-1.0), self._limits_at(1.0)), wide=True),
+                *(Chart(f'{axis}, mm', (true('error_mm', (i,)),), of('sigma_mm', (i,)), least=0.5)
+                  for i, axis in enumerate('xyz')),
+                *(Chart(f'{axis}, deg', (true('error_deg', (i,)),), of('sigma_deg', (i,)),
+                        least=0.02) for i, axis in enumerate(AXES[3:]))),
+                note=Ref(DERIVED, 'known'), window_s=60.0, columns=3,
+                band='\u00b12\u03c3 as claimed'),
             alarms=(
                 Alarm('THE CRAFT HAS STOPPED THE APPROACH',
                       (Reading('measured', of('unsafe'), high=0.5),)),

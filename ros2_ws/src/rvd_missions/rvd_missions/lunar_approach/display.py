@@ -240,8 +240,8 @@ class LunarDisplay(MissionDisplay):
             charts=Charts('Prediction error', (
                 *(error(f'{axis}, cm', i, 100.0) for i, axis in enumerate('xyz')),
                 *(error(f'{axis} rate, mm/s', i, 1000.0) for i, axis in enumerate('xyz', 3))),
-                Ref(DERIVED, 'rms'), columns=3, curve='predicted minus received',
-                band='±2σ that was claimed'),
+                Ref(DERIVED, 'rms'), columns=3, curve='predicted − received',
+                band='±2σ as claimed'),
             alarms=advice.alarms(docking, self._loop_s, bool(self._obstacles)),
             guidance=advice.guidance(docking, self._cone, -self._start_m[0], self._rate_m_s,
                                      self._boundary),

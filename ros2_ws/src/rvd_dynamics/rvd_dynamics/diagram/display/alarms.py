@@ -33,8 +33,8 @@ class Alarm:
         require(len(self.readings) > 0 and all(isinstance(r, Reading) for r in self.readings),
                 f'{where}: readings', 'be one or more', self.readings)
         for reading in self.readings:
-            require(reading.role != 'truth', f'{where}: role', 'be no truth, which no live page has',
-                    repr(reading.role))
+            require(reading.role != 'truth', f'{where}: role',
+                    'be another than truth, which no live page has', repr(reading.role))
             require(reading.low is not None or reading.high is not None, f'{where}: readings',
                     'each have a limit, low or high', reading)
         require(is_real(self.back) and 0.0 <= self.back < float('inf'), f'{where}: back',

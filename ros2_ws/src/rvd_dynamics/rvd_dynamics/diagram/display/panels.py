@@ -397,6 +397,7 @@ class Chart:
     names: tuple[str, ...] = ()             # of the curves, written in their colours
     centred: bool = True        # else the scale holds what there is, and the levels
     levels: tuple[float, ...] = ()
+    wide: bool = False          # takes a whole line where several stand side by side
 
     def __post_init__(self) -> None:
         require(0 < len(self.curves) <= 6, f'chart {self.title}: curves', 'be 1 to 6',

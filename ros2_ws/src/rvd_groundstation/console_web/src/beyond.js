@@ -1,0 +1,19 @@
+// What lies outside of a picture: an arrow at its edge that points to it, with how far it is.
+
+import { text } from './canvas.js';
+
+// `at` is where it would be, from a middle that shows as far as `reach` [px].
+export function pointTo(pen, [cx, cy], reach, [x, y], colour, rem, words) {
+  const far = Math.hypot(x - cx, y - cy);
+  const [dx, dy] = [(x - cx) / far, (y - cy) / far];
+  const [tx, ty] = [cx + dx * reach, cy + dy * reach];
+  const [bx, by] = [tx - dx * rem * 0.9, ty - dy * rem * 0.9];
+  pen.fillStyle = colour;
+  pen.beginPath();
+  pen.moveTo(tx, ty);
+  pen.lineTo(bx - dy * rem * 0.5, by + dx * rem * 0.5);
+  pen.lineTo(bx + dy * rem * 0.5, by - dx * rem * 0.5);
+  pen.closePath();
+  pen.fill();
+  text(pen, words, bx - dx * rem * 1.6, by - dy * rem * 0.9, colour, 'center');
+}
