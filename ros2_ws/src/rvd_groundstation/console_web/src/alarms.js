@@ -38,10 +38,10 @@ export function ofDisplay(frame, alarms, stands) {
 // Those of the page, whatever is flown: telemetry that does not come, a stick that nobody holds.
 export function ofPage({ run, frame, measured, sent, silence, connected, pilotLost }, words) {
   const pace = Math.max(run.pace, 1);
-  const quiet = connected ? silence : Math.max(silence, STALE_S);
+  const patience = STALE_S + run.step_s / run.pace; // wall time: a frame comes with each step
+  const quiet = connected ? silence : Math.max(silence, patience);
   const age = frame.t + quiet * run.pace - (measured ? measured.t : 0);
-  const first = measured ? 0 : 2 * run.step_s; // what the first telemetry takes beside the delay
-  const lost = quiet >= STALE_S || age > run.back_s + first + STALE_S * pace;
+  const lost = quiet >= patience || age > run.back_s + 2 * run.step_s + STALE_S * pace;
   const nobody = run.operator === 'console' && sent && sent.parts.kind !== ABORT
     && [STICK_INVALID, NEITHER_VALID].includes(sent.parts.reason);
   return [

@@ -17,6 +17,11 @@ const signed = (value, digits) => {
 };
 
 export class CameraDigits {
+  constructor() {
+    this.height = 0; // of the digits, in pixels of the page
+    new ResizeObserver(([entry]) => { this.height = entry.borderBoxSize[0].blockSize; }).observe($('digits'));
+  }
+
   setDisplay(camera) {
     const numbers = camera?.numbers;
     $('digits').hidden = !numbers;
@@ -30,6 +35,7 @@ export class CameraDigits {
       const cell = made[made.push(document.createElement('b')) - 1];
       cell.className = role;
       const reading = readings.find((one) => one.role === role);
+      cell.textContent = reading ? S.unknown : '';
       if (reading) this.cells.push({ cell, reading, digits, isSigned });
       return cell;
     });

@@ -267,11 +267,10 @@ export function linkCounts(frame, measured, step) {
 
 // -- marks on the camera ------------------------------------------------------------------------
 
-// Over its picture: a cross, the marks of the display, a gauge, the distance; `digits` is the element
-// below which nothing is drawn.
-export function reticle(canvas, scene, camera, frame, digits) {
+// Over its picture: a cross, the marks of the display, a gauge, the distance; the lowest `covered`
+// pixels are left to what stands there.
+export function reticle(canvas, scene, camera, frame, covered) {
   const { pen, w, h, rem } = begin(canvas);
-  const floor = camera.numbers ? digits.offsetTop : h;
   const [cx, cy] = [w / 2, h / 2];
   pen.strokeStyle = '#dbe5ee90';
   pen.beginPath();
@@ -301,7 +300,7 @@ export function reticle(canvas, scene, camera, frame, digits) {
     pen.beginPath(); pen.moveTo(cx, cy); pen.lineTo(x, y); pen.stroke();
   }
   if (camera.pixels) drawPixels(pen, { w, h, rem }, camera.pixels, frame, scene.cameraTan);
-  if (camera.gauge) drawGauge(pen, w, floor, rem, camera.gauge, frame, isTruth);
+  if (camera.gauge) drawGauge(pen, w, h - covered, rem, camera.gauge, frame, isTruth);
   if (camera.numbers) return;
   const distance = camera.distance.map((one) => read(frame, one.value)).find((v) => v !== undefined);
   if (distance !== undefined) text(pen, `${number(distance, camera.digits)} ${camera.unit}`, rem * 0.6, h - rem * 0.9, COLOUR.measured);

@@ -115,7 +115,7 @@ export class Panels {
 
   showReticle(frame) {
     if (!this.display?.camera || !frame) return;
-    reticle($('reticle'), this.scene, this.display.camera, frame, $('digits'));
+    reticle($('reticle'), this.scene, this.display.camera, frame, this.digits.height);
     this.digits.field(this.scene.cameraTan);
   }
 }
