@@ -16,12 +16,15 @@ export class Coach {
     Object.assign(this, { store, scene, stick, run: null, moved: false, caps: [], said: '', display: null });
   }
 
-  // Whether what it says is wanted still: nobody has flown in this run yet.
+  // Hear how the stick stands: the first command of a run is what this was for.
+  heard({ held, at }) {
+    if (this.store.run !== this.run) Object.assign(this, { run: this.store.run, moved: false });
+    if (this.store.status.phase === 'flying' && held && at.some((v) => v !== 0)) this.moved = true;
+  }
+
   wanted(reviewed) {
-    const { store, stick } = this;
-    if (store.run !== this.run) Object.assign(this, { run: store.run, moved: false });
+    const { store } = this;
     const flying = store.status.phase === 'flying';
-    if (flying && stick.state().held && stick.state().at.some((v) => v !== 0)) this.moved = true;
     const before = ['idle', 'starting', 'refused'].includes(store.status.phase);
     return !reviewed && store.status.lease === 'you' && Boolean(store.display?.controller)
       && ((before && !store.can.desk) || (flying && !this.moved && !store.verdict));

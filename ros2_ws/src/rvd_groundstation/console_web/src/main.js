@@ -38,7 +38,10 @@ let drawnAt = 0;
 let readAt = 0;
 let readFrame = null;
 let shownVerdict = null;
-const stick = new Stick((state, now) => link?.stick(state, now));
+const stick = new Stick((state, now) => {
+  coach.heard(state);
+  link?.stick(state, now);
+});
 const desk = new Desk(link);
 const orders = new Orders(link, store);
 const review = new Review(link, panels, () => refreshRun());
