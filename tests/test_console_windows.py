@@ -130,7 +130,7 @@ def test_ticks_of_the_charts_are_apart_at_every_pixel_ratio(browser, placed, rat
     crowded = page.evaluate("""rvd.panels.charts.strips.flatMap(({ plot, strip }) => {
       const pen = document.createElement('canvas').getContext('2d');
       return plot.axes.flatMap((axis, i) => {
-        pen.font = axis.font[0] ?? axis.font;
+        pen.font = axis.font[0];
         const [vertical, seen] = [i === 1, (axis._values || []).map((w, k) => [w, axis._splits[k]])];
         const at = seen.filter(([w]) => w).map(([w, v]) => [plot.valToPos(v, i ? 'y' : 'x', true),
           vertical ? parseFloat(/([\\d.]+)px/.exec(pen.font)[1]) : pen.measureText(w).width]);
@@ -141,6 +141,9 @@ def test_ticks_of_the_charts_are_apart_at_every_pixel_ratio(browser, placed, rat
       });
     })""")
     assert crowded == []
+    sizes = page.evaluate("""rvd.panels.charts.strips.flatMap(({ plot }) => plot.axes.map(
+      (axis) => parseFloat(/([\\d.]+)px/.exec(axis.font[0])[1]) / devicePixelRatio))""")
+    assert all(10.9 < size < 20.0 for size in sizes), sizes
     assert page.inner_text('#charts-key').split('\n') == ['predicted − received', '±2σ as claimed']
     assert len(page.query_selector_all('#charts > div')) == 6       # each component its own
     context.close()

@@ -23,7 +23,7 @@ export function round(most) {
 }
 
 function options(strip, width, height, rem, beside) {
-  const words = small(rem);
+  const words = Math.round(small(rem)); // uPlot scales whole pixels alone: of 11.3px it would read 3px
   const axis = { stroke: '#a9b7c5', grid: { stroke: '#1b2733', width: 1 }, ticks: { stroke: '#1b2733', size: 4 }, font: `${words}px system-ui` };
   const edge = { stroke: EDGE, width: 1, points: { show: false } };
   const first = strip.curves.length + 1; // of the two edges of the band
