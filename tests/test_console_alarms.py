@@ -116,6 +116,7 @@ def test_digits_at_the_reticle_are_signed_and_predicted_beside_measured(page, pl
     placed.put((-12.34, 0.16, -0.07, 0.251, 0.004, -0.002), (-9.5, -0.21, 0.08, 0.24, 0.0, 0.011))
     until(page, "document.querySelector('#digits b').textContent === '12.34'")
     cells = [cell.inner_text() for cell in page.query_selector_all('#digits b')]
+    assert page.inner_text('#digits').split()[:2] == ['m', 'm/s']
     assert cells == ['12.34', '9.50', '0.251', '0.240', '+0.16', '−0.21', '+0.004', '0.000',
                      '−0.07', '+0.08', '−0.002', '+0.011']
     sizes = page.evaluate("[...document.querySelectorAll('#digits b.measured')]"

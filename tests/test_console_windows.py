@@ -10,7 +10,7 @@ DESK = [(1280, 720, 1), (1024, 640, 1), (1920, 1080, 1)]
 SMALL = [(640, 360, 2), (820, 1180, 1), (390, 844, 3)]          # 200 % zoom, tablet, phone
 WAITING = {
     'docking': '/**: {ros__parameters: {mission: docking}}',
-    'by hand': '/**: {ros__parameters: {mission: docking, steering: ground, operator: console}}',
+    'by hand': '/**: {ros__parameters: {mission: docking, steering: remote, operator: console}}',
     'tether': '/**: {ros__parameters: {mission: tether}}',
     'tether_delay': '/**: {ros__parameters: {mission: tether_delay}}'}
 # Pairs of parts of the page that share pixels, and what is cut off or beyond the window's edges.

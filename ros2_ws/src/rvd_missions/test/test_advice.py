@@ -13,7 +13,7 @@ from rvd_groundstation.console.provider import display_of
 
 MISSIONS = {
     'lunar_approach': 'operator: console', 'docking': 'mission: docking',
-    'by hand': 'mission: docking, steering: ground', 'tether': 'mission: tether',
+    'by hand': 'mission: docking, steering: remote, operator: console', 'tether': 'mission: tether',
     'tether_delay': 'mission: tether_delay', 'obstacle_field': 'mission: obstacle_field'}
 ALARMED = {
     'lunar_approach': ['OUTSIDE THE CORRIDOR', 'LEAVING THE CORRIDOR', 'TOO FAST',

@@ -2,8 +2,9 @@
 
 import { text } from './canvas.js';
 
-// `at` is where it would be, from a middle that shows as far as `reach` [px].
-export function pointTo(pen, [cx, cy], reach, [x, y], colour, rem, words) {
+// `at` is where it would be, from a middle that shows as far as `reach` [px]; `said` are the places
+// of such words in this picture, which are kept apart.
+export function pointTo(pen, [cx, cy], reach, [x, y], colour, rem, words, said) {
   const far = Math.hypot(x - cx, y - cy);
   const [dx, dy] = [(x - cx) / far, (y - cy) / far];
   const [tx, ty] = [cx + dx * reach, cy + dy * reach];
@@ -15,5 +16,8 @@ export function pointTo(pen, [cx, cy], reach, [x, y], colour, rem, words) {
   pen.lineTo(bx + dy * rem * 0.5, by - dx * rem * 0.5);
   pen.closePath();
   pen.fill();
-  text(pen, words, bx - dx * rem * 1.6, by - dy * rem * 0.9, colour, 'center');
+  const place = [bx - dx * rem * 1.6, by - dy * rem * 0.9];
+  while (said.some(([u, v]) => Math.abs(u - place[0]) < 3 * rem && Math.abs(v - place[1]) < rem)) place[1] += rem;
+  said.push(place);
+  text(pen, words, ...place, colour, 'center');
 }

@@ -38,7 +38,7 @@ function options(strip, width, height, rem, beside) {
       const most = Math.max(Math.abs(low || 0), Math.abs(high || 0), strip.least);
       return [-most * 1.1, most * 1.1];
     } } },
-    axes: [{ ...axis, size: words * 1.7, gap: 1, space: words * 3.5 },
+    axes: [{ ...axis, size: words * 1.7, gap: 1, space: words * 2.8 },
       { ...axis, size: words * (beside ? 2.3 : 3), gap: 1, space: words * 1.7, ...middle, ...tall }],
     series: [{}, ...strip.curves.map((_, i) => ({ stroke: colourOf(strip, i), width: beside ? 1.2 : 1.5, points: { show: false } })), edge, edge],
   };

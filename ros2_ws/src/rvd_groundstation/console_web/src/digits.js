@@ -39,15 +39,14 @@ export class CameraDigits {
       if (reading) this.cells.push({ cell, reading, digits, isSigned });
       return cell;
     });
-    const words = (text) => { made[made.push(document.createElement('span')) - 1].textContent = text; };
-    numbers.rows.forEach((row, i) => {
+    const words = (text, tone = '') => { Object.assign(made[made.push(document.createElement('span')) - 1], { textContent: text, className: tone }); };
+    for (const unit of [numbers.place_unit, numbers.rate_unit]) ['', ...used.map((_, i) => (i ? '' : unit))].forEach((text) => words(text, 'unit'));
+    for (const row of numbers.rows) {
       words(row.label);
       cells(row.place, numbers.place_digits, row.signed);
-      words(i ? '' : numbers.place_unit);
       words(row.rate_label);
       cells(row.rate, numbers.rate_digits, row.signed && !row.rate_label);
-      words(i ? '' : numbers.rate_unit);
-    });
+    }
     $('digits').replaceChildren(...made);
   }
 

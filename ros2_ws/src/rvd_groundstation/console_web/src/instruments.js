@@ -125,6 +125,7 @@ export function drawSection(section, frame) {
   }
   text(pen, section.names?.[1] ?? axisName(section.up), cx + rem * 0.3, cy - size, COLOUR.dim);
   text(pen, section.names?.[0] ?? axisName(section.right), cx + size, cy - rem * 0.6, COLOUR.dim, 'right');
+  const said = []; // where words of arrows stand
   const at = (p) => [cx + along(section.right, p) * scale, cy - along(section.up, p) * scale];
   for (const spot of section.spots) {
     const p = place(frame, spot.place);
@@ -133,7 +134,7 @@ export function drawSection(section, frame) {
     const [x, y] = at(p);
     pen.strokeStyle = colour;
     if (Math.hypot(x - cx, y - cy) > size + 0.5 * rem) { // it lies beyond what the cut shows
-      pointTo(pen, [cx, cy], size, [x, y], colour, rem, `${(Math.hypot(x - cx, y - cy) / scale).toFixed(1)} m`);
+      pointTo(pen, [cx, cy], size, [x, y], colour, rem, `${(Math.hypot(x - cx, y - cy) / scale).toFixed(1)} m`, said);
       continue;
     }
     const from = spot.origin && place(frame, spot.origin);
@@ -250,7 +251,7 @@ export function dial(canvas, run, roundTrip, transit) {
   pen.font = `600 ${1.35 * rem}px system-ui, sans-serif`;
   text(pen, roundTrip === undefined ? S.unknown : `${roundTrip.toFixed(1)} s`, cx, cy - rem * 0.05, COLOUR.text, 'center');
   pen.font = `${small(rem)}px system-ui, sans-serif`;
-  text(pen, `${run.forward_s} + ${run.back_s} s`, cx, cy + rem * 1.05, COLOUR.dim, 'center');
+  text(pen, `${run.forward_s} + ${run.back_s} s`, cx, cy + rem * 1.2, COLOUR.dim, 'center');
 }
 
 export function linkCounts(frame, measured, step) {
