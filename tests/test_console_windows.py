@@ -28,7 +28,7 @@ FAULTS = """(() => {
   const sticks = (e) => getComputedStyle(e).position === 'sticky';
   const panels = all('#top, #alarms, #left > *, #centre > *, #right > *, #bottom');
   apart(panels.filter((e) => !sticks(e)));
-  for (const s of ['#top', '#alarms', '#bottom', '#view', '#camera']) {
+  for (const s of ['#top', '#alarms', '#bottom', '#view', '#view-top', '#camera']) {
     apart(all(`${s} > *`).filter((e) => !['CANVAS'].includes(e.tagName)
       && !['labels', 'coach', 'banner'].includes(e.id)));
   }
@@ -38,7 +38,7 @@ FAULTS = """(() => {
     if (e.classList.contains('panel') && e.scrollHeight > e.clientHeight + 2) faults.push(`${name(e)} is cut off by ${e.scrollHeight - e.clientHeight}`);
   }
   if (document.documentElement.scrollWidth > innerWidth + 1) faults.push('sideways overflow');
-  for (const e of all('#view, #camera, #section, #charts > div')) {
+  for (const e of all('#view, #camera, #section, #charts > div:has(canvas)')) {
     const r = e.getBoundingClientRect();
     if (r.height < 55 || r.width < 60) faults.push(`${name(e)} is ${r.width} by ${r.height}`);
   }

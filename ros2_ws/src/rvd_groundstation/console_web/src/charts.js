@@ -16,10 +16,10 @@ const [LOW_PX, SHORT] = [690, 0.78]; // height of a window in which strips are s
 // The truth among others is white, as everywhere.
 const colourOf = ({ curves }, i) => (curves[i].signal === 'truth' && curves.some((one) => one.signal !== 'truth') ? '#f2f5f8' : COLOURS[i]);
 
-// The largest 1, 2 or 5 times a power of ten that is at most `most`.
-export function round(most) {
+// A number that is easily read and at most `most`, not by far.
+function round(most) {
   const ten = 10 ** Math.floor(Math.log10(most));
-  return [5, 2, 1].map((n) => n * ten).find((n) => n <= most * (1 + 1e-9));
+  return [8, 6, 5, 4, 3, 2, 1.5, 1].map((n) => Number((n * ten).toPrecision(2))).find((n) => n <= most * (1 + 1e-9));
 }
 
 function options(strip, width, height, rem, beside) {
@@ -28,7 +28,10 @@ function options(strip, width, height, rem, beside) {
   const edge = { stroke: EDGE, width: 1, points: { show: false } };
   const first = strip.curves.length + 1; // of the two edges of the band
   const tall = beside ? {} : { label: strip.title, labelSize: words * 1.35, labelFont: `${words}px system-ui` };
-  const middle = strip.centred && beside ? { splits: (u, i, low, high) => [-round(high / 1.1), 0, round(high / 1.1)] } : {};
+  const middle = strip.centred && beside ? {
+    splits: (u, i, low, high) => [-round(high / 1.1), 0, round(high / 1.1)],
+    values: (u, splits) => splits.map((v) => (v === 0 ? '' : String(v).replace('-', '−'))), // the line at 0 needs no number
+  } : {};
   return {
     width, height, legend: { show: false }, cursor: { show: false }, padding: [words * (strip.names.length ? 1.2 : 0.5), words * 0.5, 0, 0],
     hooks: { draw: [(u) => mark(u, strip, words)] },

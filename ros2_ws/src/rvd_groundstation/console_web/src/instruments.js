@@ -251,7 +251,8 @@ export function dial(canvas, run, roundTrip, transit) {
   pen.font = `600 ${1.35 * rem}px system-ui, sans-serif`;
   text(pen, roundTrip === undefined ? S.unknown : `${roundTrip.toFixed(1)} s`, cx, cy - rem * 0.05, COLOUR.text, 'center');
   pen.font = `${small(rem)}px system-ui, sans-serif`;
-  text(pen, `${run.forward_s} + ${run.back_s} s`, cx, cy + rem * 1.2, COLOUR.dim, 'center');
+  const legs = `${run.forward_s} + ${run.back_s} s`;
+  if (pen.measureText(legs).width < 1.55 * r) text(pen, legs, cx, cy + rem * 1.2, COLOUR.dim, 'center');
 }
 
 export function linkCounts(frame, measured, step) {
