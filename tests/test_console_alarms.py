@@ -39,7 +39,8 @@ def page(browser, placed):
     made = open_page(browser, placed, look='plain')
     made.set_viewport_size({'width': 1280, 'height': 720})
     until(made, 'Boolean(rvd.store.measured)')
-    until(made, "rvd.alarms.alarms.standing.size === 0")
+    until(made, 'rvd.alarms.alarms.standing.size === 0')
+    made.wait_for_timeout(600)                          # the page has taken its new size
     yield made
     assert made.problems == []
     made.close()
@@ -103,10 +104,12 @@ def test_telemetry_that_stops_and_a_stick_that_nobody_holds_are_alarms(page, pla
 
 
 def test_the_section_shows_a_craft_outside_of_it(page, placed):
-    placed.put(GOOD)
+    ahead = (-9.0, -0.4, 0.0, 0.25, 0.0, 0.0)           # away from what is measured
+    placed.put(GOOD, ahead)
+    until(page, 'rvd.store.predicted.parts.position[1] === -0.4')
     page.wait_for_timeout(400)
     inside = page.evaluate(MEASURED)
-    placed.put((-12.0, 0.0, 30.0, 0.25, 0.0, 0.0))      # far beyond what the cut reaches to
+    placed.put((-12.0, 0.0, 30.0, 0.25, 0.0, 0.0), ahead)       # beyond what the cut reaches to
     until(page, "rvd.store.measured.parts.position[2] === 30")
     page.wait_for_timeout(400)
     assert inside > 20 and page.evaluate(MEASURED) > 20

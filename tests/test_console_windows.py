@@ -38,7 +38,7 @@ FAULTS = """(() => {
     if (e.classList.contains('panel') && e.scrollHeight > e.clientHeight + 2) faults.push(`${name(e)} is cut off by ${e.scrollHeight - e.clientHeight}`);
   }
   if (document.documentElement.scrollWidth > innerWidth + 1) faults.push('sideways overflow');
-  for (const e of all('#view, #camera, #section, #charts > div:has(canvas)')) {
+  for (const e of all('#view, #camera, #section, #charts > div')) {
     const r = e.getBoundingClientRect();
     if (r.height < 55 || r.width < 60) faults.push(`${name(e)} is ${r.width} by ${r.height}`);
   }

@@ -16,6 +16,7 @@ export function pointTo(pen, [cx, cy], reach, [x, y], colour, rem, words, said) 
   pen.lineTo(bx + dy * rem * 0.5, by - dx * rem * 0.5);
   pen.closePath();
   pen.fill();
+  if (!words) return;
   const place = [bx - dx * rem * 1.6, by - dy * rem * 0.9];
   while (said.some(([u, v]) => Math.abs(u - place[0]) < 3 * rem && Math.abs(v - place[1]) < rem)) place[1] += rem;
   said.push(place);

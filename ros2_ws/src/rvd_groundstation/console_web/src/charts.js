@@ -83,25 +83,31 @@ function mark(u, strip, words) {
 class Strip {
   // One of several that stand beside each other has its title above it.
   constructor(strip, window, beside) {
-    Object.assign(this, { strip, window, beside, element: document.createElement('div') });
+    Object.assign(this, { strip, window, beside, element: document.createElement('div'), place: document.createElement('div') });
     this.element.classList.toggle('wide', !beside);
-    if (!beside) return;
-    const title = document.createElement('span');
-    title.textContent = strip.title;
-    this.element.append(title);
+    if (beside) {
+      const title = document.createElement('span');
+      title.textContent = strip.title;
+      this.element.append(title);
+    }
+    this.element.append(this.place);
   }
 
+  // Its place is there before there is anything to draw, so that nothing moves.
   size() {
     const rem = parseFloat(getComputedStyle(document.documentElement).fontSize);
     const width = Math.floor(this.element.clientWidth);
-    return { width: Math.max(width, 60), height: Math.round((this.beside ? LOW : TALL) * rem * (innerHeight < LOW_PX ? SHORT : 1)), rem };
+    const height = Math.round((this.beside ? LOW : TALL) * rem * (innerHeight < LOW_PX ? SHORT : 1));
+    if (this.reserved !== height) this.place.style.height = `${height}px`;
+    this.reserved = height;
+    return { width: Math.max(width, 60), height, rem };
   }
 
   show({ t, curves, spread }, until) {
     const size = this.size();
     if (!this.plot || this.width !== size.width || this.height !== size.height) {
       if (this.plot) this.plot.destroy();
-      this.plot = new uPlot(options(this.strip, size.width, size.height, size.rem, this.beside), [[], ...curves.map(() => []), [], []], this.element);
+      this.plot = new uPlot(options(this.strip, size.width, size.height, size.rem, this.beside), [[], ...curves.map(() => []), [], []], this.place);
       Object.assign(this, { width: size.width, height: size.height });
     }
     let end = t.length;
@@ -121,6 +127,7 @@ export class Charts {
     this.strips = (charts?.strips || []).map((strip) => new Strip(strip, charts.window_s, charts.columns > 1 && !strip.wide));
     $('charts').style.setProperty('--columns', charts?.columns ?? 1);
     $('charts').replaceChildren(...this.strips.map((strip) => strip.element));
+    for (const strip of this.strips) strip.size();
     $('charts-title').textContent = charts?.title || '';
     const key = [['line', charts?.curve], ['band', charts?.band]].filter(([, words]) => words);
     $('charts-key').hidden = key.length === 0;

@@ -134,7 +134,7 @@ export function drawSection(section, frame) {
     const [x, y] = at(p);
     pen.strokeStyle = colour;
     if (Math.hypot(x - cx, y - cy) > size + 0.5 * rem) { // it lies beyond what the cut shows
-      pointTo(pen, [cx, cy], size, [x, y], colour, rem, `${(Math.hypot(x - cx, y - cy) / scale).toFixed(1)} m`, said);
+      pointTo(pen, [cx, cy], size, [x, y], colour, rem, spot.mark === 'cross' ? '' : `${(Math.hypot(x - cx, y - cy) / scale).toFixed(1)} m`, said);
       continue;
     }
     const from = spot.origin && place(frame, spot.origin);
