@@ -137,7 +137,8 @@ def test_keys_stand_beside_the_craft_until_the_first_command(browser, placed):
     until(page, "!document.querySelector('#coach').hidden")
     until(page, "!document.querySelector('#coach-caps').hidden")
     card = page.inner_text('#coach-card')
-    assert 'thrust forward / back (x)' in card and 'contact' in card
+    assert 'level of the keys' in card and 'contact' in card
+    assert 'thrust forward' not in card                 # it stands beside the craft
     assert 'closing slower than 0.3 m/s' in card and '10 m' in card
     assert '10 m' in page.inner_text('#coach-card tr.next')     # 12 m are to go
     caps = {cap.inner_text().split()[-1]: cap.bounding_box()

@@ -10,7 +10,7 @@ import { part } from './data.js';
 const $ = (id) => document.getElementById(id);
 const COLOURS = ['#7cc4ff', '#56d6b0', '#d59bf6', '#ffb652', '#f2f5f8', '#ff7a5c'];
 const [BAND, EDGE] = ['#ffb65238', '#ffb652a0'];
-const [TALL, LOW] = [6.4, 4.9]; // [rem] of a strip alone, and of one beside others
+const [TALL, LOW] = [5.8, 4.9]; // [rem] of a strip alone, and of one beside others
 const [LOW_PX, SHORT] = [690, 0.78]; // height of a window in which strips are shorter
 
 // The truth among others is white, as everywhere.

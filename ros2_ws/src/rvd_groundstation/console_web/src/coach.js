@@ -37,13 +37,14 @@ export class Coach {
     if (!wanted) return;
     if (display !== this.display) this.build(display);
     const distance = display.guidance?.distance.map((one) => read(frame, one)).find((v) => v !== undefined);
-    const keys = this.stick.source === 'keyboard' ? keyRows(display).map(([names, what]) => `<tr><th><kbd>${escape(names)}</kbd></th><td>${escape(what)}</td></tr>`).join('') : '';
+    this.place(frame);
+    const capped = $('coach-caps').hidden ? [] : display.controller.axes.map((axis) => axis.along && axis.keys.length > 0);
+    const keys = this.stick.source === 'keyboard' ? keyRows(display).filter((_, i) => !capped[i]).map(([names, what]) => `<tr><th><kbd>${escape(names)}</kbd></th><td>${escape(what)}</td></tr>`).join('') : '';
     const html = (display.guidance ? guidanceHtml(display.guidance, distance) : '') + (keys ? `<h4 class="keys">${C.keys}</h4><table class="keys">${keys}</table>` : '');
     if (html !== this.said) {
       this.said = html;
       $('coach-card').innerHTML = html;
     }
-    this.place(frame);
   }
 
   build(display) {
