@@ -11,6 +11,7 @@ const $ = (id) => document.getElementById(id);
 const COLOURS = ['#7cc4ff', '#56d6b0', '#d59bf6', '#ffb652', '#f2f5f8', '#ff7a5c'];
 const [BAND, EDGE] = ['#ffb65238', '#ffb652a0'];
 const [TALL, LOW] = [5.8, 4.9]; // [rem] of a strip alone, and of one beside others
+const MANY = 3; // strips that are drawn at once
 const [LOW_PX, SHORT] = [690, 0.78]; // height of a window in which strips are shorter
 
 // The truth among others is white, as everywhere.
@@ -139,8 +140,12 @@ export class Charts {
     }));
   }
 
+  // Of many strips one half is drawn at a time: they cost what a few do.
   show(histories, frame, until) {
-    this.strips.forEach((strip, i) => strip.show(histories[i], until));
+    this.turn = !this.turn;
+    this.strips.forEach((strip, i) => {
+      if (this.strips.length <= MANY || strip.plot === undefined || (i % 2 === 1) === this.turn) strip.show(histories[i], until);
+    });
     if (this.note) readout(part(frame, this.note) ?? ['', false], $('charts-note'), 'dim');
   }
 }
