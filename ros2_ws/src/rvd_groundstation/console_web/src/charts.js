@@ -43,7 +43,7 @@ function options(strip, width, height, rem, beside) {
       return [-most * 1.1, most * 1.1];
     } } },
     axes: [{ ...axis, size: words * 1.7, gap: 1, space: words * 2.8 },
-      { ...axis, size: words * (beside ? 2.3 : 3), gap: 1, space: words * 1.7, ...middle, ...tall }],
+      { ...axis, size: words * (beside ? 2.8 : 3), gap: 1, space: words * 1.7, ...middle, ...tall }],
     series: [{}, ...strip.curves.map((_, i) => ({ stroke: colourOf(strip, i), width: beside ? 1.2 : 1.5, points: { show: false } })), edge, edge],
   };
 }
