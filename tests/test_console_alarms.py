@@ -1,4 +1,4 @@
-"""Alarms, digits at the reticle, the keys beside the craft: in a real browser, and a real flight."""
+"""Alarms, digits at the reticle, keys beside the craft: in a real browser, and a real flight."""
 
 import re
 

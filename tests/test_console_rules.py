@@ -126,7 +126,10 @@ def test_the_page_s_own_alarms(said, raised):
 CAMERA = {'half_field': [0.085, 0.9], 'half_height_m': 1.35}
 FIELD = """
 let before;
-made = given.ranges.map((range) => { before = fieldOf(given.camera, range, before); return before; });
+made = given.ranges.map((range) => {
+  before = fieldOf(given.camera, range, before);
+  return before;
+});
 """
 
 

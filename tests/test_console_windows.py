@@ -35,7 +35,8 @@ FAULTS = """(() => {
   for (const e of panels) {
     const r = e.getBoundingClientRect();
     if (r.left < -1 || r.right > innerWidth + 1) faults.push(`${name(e)} is beyond the edge`);
-    if (e.classList.contains('panel') && e.scrollHeight > e.clientHeight + 2) faults.push(`${name(e)} is cut off by ${e.scrollHeight - e.clientHeight}`);
+    if (e.classList.contains('panel') && e.scrollHeight > e.clientHeight + 2)
+      faults.push(`${name(e)} is cut off by ${e.scrollHeight - e.clientHeight}`);
   }
   if (document.documentElement.scrollWidth > innerWidth + 1) faults.push('sideways overflow');
   for (const e of all('#view, #camera, #section, #charts > div')) {
@@ -57,7 +58,8 @@ SIZES = """(() => {
     const e = walker.currentNode.parentElement;
     if (!walker.currentNode.data.trim() || !e.offsetParent) continue;
     const size = parseFloat(getComputedStyle(e).fontSize);
-    if (size < 10.99) found.push(`${e.tagName} ${e.className} ${size} ${walker.currentNode.data.trim().slice(0, 20)}`);
+    const words = walker.currentNode.data.trim().slice(0, 20);
+    if (size < 10.99) found.push(`${e.tagName} ${e.className} ${size} ${words}`);
   }
   return found;
 })()"""
@@ -131,7 +133,8 @@ def test_ticks_of_the_charts_are_apart_at_every_pixel_ratio(browser, placed, rat
       const pen = document.createElement('canvas').getContext('2d');
       return plot.axes.flatMap((axis, i) => {
         pen.font = axis.font[0];
-        const [vertical, seen] = [i === 1, (axis._values || []).map((w, k) => [w, axis._splits[k]])];
+        const seen = (axis._values || []).map((w, k) => [w, axis._splits[k]]);
+        const vertical = i === 1;
         const at = seen.filter(([w]) => w).map(([w, v]) => [plot.valToPos(v, i ? 'y' : 'x', true),
           vertical ? parseFloat(/([\\d.]+)px/.exec(pen.font)[1]) : pen.measureText(w).width]);
         at.sort((a, b) => a[0] - b[0]);
