@@ -187,12 +187,16 @@ def test_a_flight_that_leaves_the_corridor_calls_before_it_has_left(browser, tmp
             if (/nodes ready/.test(s) && window.counted.at(-1) !== s) window.counted.push(s); };
             new MutationObserver(seen).observe(document.querySelector('#banner'),
                                                {childList: true, subtree: true}); })()""")
+        page.set_viewport_size({'width': 1280, 'height': 720})
+        page.wait_for_timeout(600)
+        before = page.evaluate(BOXES)
         take_and_start(page, 'manual')
         assert page.evaluate('window.counted.length') > 0       # the start, node by node
         page.keyboard.down('ArrowUp')
         until(page, "rvd.alarms.alarms.standing.has('LEAVING THE CORRIDOR')"
                     ' || Boolean(rvd.store.verdict)', 240.0)
         assert not page.evaluate('Boolean(rvd.store.verdict)')
+        assert page.evaluate(BOXES) == before           # from before the first number to here
         until(page, "document.querySelector('#alarm-words').textContent === 'LEAVING THE CORRIDOR'")
         assert page.inner_text('#alarm-detail').startswith('predicted margin −')
         predicted = page.evaluate('rvd.store.predicted.parts.position')

@@ -122,6 +122,11 @@ class Strip {
 }
 
 export class Charts {
+  constructor() {
+    this.strips = [];
+    addEventListener('resize', () => this.strips.forEach((strip) => strip.size()));
+  }
+
   setDisplay({ charts }) {
     $('strips').hidden = !charts;
     this.note = charts?.note;
