@@ -92,7 +92,7 @@ class ToyConsole:
 
     def __init__(self, runs: Path | None = None) -> None:
         self._runs = runs
-        self.hub, self.sticks, self.provider = self.hub_of(), [], ToyDisplay()
+        self.hub, self.sticks, self.provider = self.hub_of(), [], self.provider_of()
         self.answers, self.asked = True, []
         self.kind = KIND_THRUST             # of the commands sent; telemetry falls silent at others
         self._loop = asyncio.new_event_loop()
@@ -104,6 +104,9 @@ class ToyConsole:
 
     def hub_of(self) -> Hub:
         return Hub()
+
+    def provider_of(self) -> MissionDisplay:
+        return ToyDisplay()
 
     def _run(self, up: threading.Event) -> None:
         self._loop.run_until_complete(self._serve(up))

@@ -232,7 +232,14 @@ def _fly(page: ConsoleProcess, scenario: Scenario, run_dir: Path, runs: Path, do
         if code != EXIT_INTERRUPTED or stopped:
             page.tell('ended', name, f'failed {flight.problem}' if code == EXIT_CANNOT
                       else flight.ended_by)
-    flight = fly.Flight(scenario, run_dir, domain, headless, stop_asked, console=True, known=known)
+    said = ['']
+
+    def progress(words: str) -> None:
+        if words != said[0]:                    # it is looked at several times a second
+            said[0] = words
+            page.tell('progress', name, words)
+    flight = fly.Flight(scenario, run_dir, domain, headless, stop_asked, console=True, known=known,
+                        progress=progress)
     code = flight.fly()
     if code == EXIT_INTERRUPTED and not stopped:
         raise KeyboardInterrupt

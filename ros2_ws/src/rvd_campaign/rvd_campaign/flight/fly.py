@@ -43,19 +43,21 @@ class Flight:
 
     def __init__(self, scenario: Scenario, run_dir: Path, domain: int, headless: bool,
                  stop_asked: Callable[[], bool] = lambda: False, console: bool = False,
-                 known: Callable[[int], None] = lambda code: None) -> None:
+                 known: Callable[[int], None] = lambda code: None,
+                 progress: Callable[[str], None] = lambda words: None) -> None:
         """
         Start the processes.
 
         `stop_asked` says whether a page wants the run to end; `known` is told the exit code once
-        the run folder has its bag and its verdict, before the report is drawn.
+        the run folder has its bag and its verdict, before the report is drawn; `progress` is told
+        in words how many nodes are ready.
         """
         self._scenario = scenario
         self._run = scenario.run
         self._roster = listed(scenario, headless, console)
         self._run_dir, self._domain = run_dir, domain
         self._headless = headless
-        self._stop_asked, self._known = stop_asked, known
+        self._stop_asked, self._known, self._progress = stop_asked, known, progress
         self._run_id = new_run()
         self.problem = ''                       # why the run could not be flown
         self.ended_by = ''                      # who ended it before its end, in words
@@ -397,6 +399,8 @@ class Flight:
         for event in self._watch.new_events():
             self._end_line()
             print(one_line(f'  {event.step * self._run.step_s:.1f} s {event.node}: {event.text}'))
+        if not self._watch.steps:
+            self._progress(one_line(self._starting.progress(len(self._watch.ready))))
         if self._headless:
             return
         line = one_line(self._watch.line())

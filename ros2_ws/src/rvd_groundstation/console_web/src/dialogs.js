@@ -1,5 +1,7 @@
 // What opens over the page: help, stick settings, new run, verdict, the list of runs.
 
+import { escape } from './escape.js';
+import { guidanceHtml } from './guidance.js';
 import { REVIEW_HELP } from './review_words.js';
 import { HELP, KEYS, REFUSED, S, fill } from './strings.js';
 import { limitWords, number } from './instruments.js';
@@ -56,20 +58,16 @@ export function note(words) {
 
 export const closeButton = `<button data-close>${S.close}</button>`;
 
-export function escape(words) {
-  const span = document.createElement('span');
-  span.textContent = words;
-  return span.innerHTML.replaceAll('"', '&quot;'); // it may stand in an attribute, too
-}
+export { escape };
 
 export function message(title, text) {
   open(`<h3>${escape(title)}</h3><p>${escape(text)}</p><div class="buttons">${closeButton}</div>`);
 }
 
-const keyName = (code) => KEYS[code] || code.replace(/^Key/, '');
+export const keyName = (code) => KEYS[code] || code.replace(/^Key/, '');
 
 // The keys of the hand controller, then those of the page.
-function keyRows(display) {
+export function keyRows(display) {
   const controller = display?.controller;
   const rows = (controller?.axes || []).map((axis) => [
     axis.keys.map((pair) => pair.map(keyName).join(' / ')).join(` ${S.or} `),
@@ -85,7 +83,8 @@ export function help(display) {
   const [[takeKey, takeWords], ...others] = HELP.map(([keys, what]) => [keys, fill(what, { abort })]);
   const rows = [[takeKey, takeWords], ...keyRows(display), ...modeRows(display), ...others, ...REVIEW_HELP].map(([keys, what]) => (keys
     ? `<tr><td><kbd>${escape(keys)}</kbd></td><td>${escape(what)}</td></tr>` : `<tr><td colspan="2">${escape(what)}</td></tr>`));
-  open(`<h3>${S.help_title}</h3><table>${rows.join('')}</table><div class="buttons"><button data-close data-key="Slash">${S.close}</button></div>`,
+  const good = display?.guidance ? guidanceHtml(display.guidance) : '';
+  open(`<h3>${S.help_title}</h3><table>${rows.join('')}</table>${good}<div class="buttons"><button data-close data-key="Slash">${S.close}</button></div>`,
   (dialog) => { dialog.dataset.passes = ''; });
 }
 

@@ -1,8 +1,9 @@
 // What a pilot reads: instruments, the cross-section, commands, round trip, the marks on the camera.
 
+import { pointTo } from './beyond.js';
 import { BLEND, cause, sentence, whoFlies } from './decided.js';
 import { S, fill } from './strings.js';
-import { COLOUR, begin, ring, say, text } from './canvas.js';
+import { COLOUR, begin, ring, say, small, text } from './canvas.js';
 import { drawPixels } from './cockpit.js';
 import { along, amount, number as read, part, place, sample } from './data.js';
 
@@ -125,6 +126,7 @@ export function drawSection(section, frame) {
   }
   text(pen, section.names?.[1] ?? axisName(section.up), cx + rem * 0.3, cy - size, COLOUR.dim);
   text(pen, section.names?.[0] ?? axisName(section.right), cx + size, cy - rem * 0.6, COLOUR.dim, 'right');
+  const said = []; // where words of arrows stand
   const at = (p) => [cx + along(section.right, p) * scale, cy - along(section.up, p) * scale];
   for (const spot of section.spots) {
     const p = place(frame, spot.place);
@@ -132,6 +134,10 @@ export function drawSection(section, frame) {
     const colour = COLOUR[spot.role];
     const [x, y] = at(p);
     pen.strokeStyle = colour;
+    if (Math.hypot(x - cx, y - cy) > size + 0.5 * rem) { // it lies beyond what the cut shows
+      pointTo(pen, [cx, cy], size, [x, y], colour, rem, spot.mark === 'cross' ? '' : `${(Math.hypot(x - cx, y - cy) / scale).toFixed(1)} m`, said);
+      continue;
+    }
     const from = spot.origin && place(frame, spot.origin);
     if (from) {
       pen.setLineDash([rem * 0.2, rem * 0.2]);
@@ -246,8 +252,9 @@ export function dial(canvas, run, roundTrip, transit) {
   pen.stroke();
   pen.font = `600 ${1.35 * rem}px system-ui, sans-serif`;
   text(pen, roundTrip === undefined ? S.unknown : `${roundTrip.toFixed(1)} s`, cx, cy - rem * 0.05, COLOUR.text, 'center');
-  pen.font = `${0.7 * rem}px system-ui, sans-serif`;
-  text(pen, `${run.forward_s} + ${run.back_s} s`, cx, cy + rem * 1.05, COLOUR.dim, 'center');
+  pen.font = `${small(rem)}px system-ui, sans-serif`;
+  const legs = `${run.forward_s} + ${run.back_s} s`;
+  if (pen.measureText(legs).width < 1.55 * r) text(pen, legs, cx, cy + rem * 1.2, COLOUR.dim, 'center');
 }
 
 export function linkCounts(frame, measured, step) {
@@ -264,8 +271,9 @@ export function linkCounts(frame, measured, step) {
 
 // -- marks on the camera ------------------------------------------------------------------------
 
-// Over its picture: a cross, the marks of the display, a gauge, the distance.
-export function reticle(canvas, scene, camera, frame) {
+// Over its picture: a cross, the marks of the display, a gauge, the distance; the lowest `covered`
+// pixels are left to what stands there.
+export function reticle(canvas, scene, camera, frame, covered) {
   const { pen, w, h, rem } = begin(canvas);
   const [cx, cy] = [w / 2, h / 2];
   pen.strokeStyle = '#dbe5ee90';
@@ -299,7 +307,8 @@ export function reticle(canvas, scene, camera, frame) {
     pen.beginPath(); pen.moveTo(cx, cy); pen.lineTo(x, y); pen.stroke();
   }
   if (camera.pixels) drawPixels(pen, { w, h, rem }, camera.pixels, frame, scene.cameraTan);
-  if (camera.gauge) drawGauge(pen, w, h, rem, camera.gauge, frame, isTruth);
+  if (camera.gauge) drawGauge(pen, w, h - covered, rem, camera.gauge, frame, isTruth);
+  if (camera.numbers) return;
   const distance = camera.distance.map((one) => read(frame, one.value)).find((v) => v !== undefined);
   if (distance !== undefined) text(pen, `${number(distance, camera.digits)} ${camera.unit}`, rem * 0.6, h - rem * 0.9, COLOUR.measured);
 }

@@ -1,11 +1,14 @@
 // The page: words into their places, messages into the store, the store onto the screen.
 
+import { AlarmBar } from './alarmbar.js';
 import { say } from './canvas.js';
+import { Coach } from './coach.js';
 import { instead, sentence, whoFlies } from './decided.js';
 import { Desk } from './desk.js';
 import * as dialogs from './dialogs.js';
 import { number } from './instruments.js';
 import { inForce } from './ladder.js';
+import { watchLayout } from './layout.js';
 import { link } from './link.js';
 import { Live } from './live.js';
 import { inTurn, ofKey, showModes } from './modes.js';
@@ -40,11 +43,17 @@ let readAt = 0;
 let readFrame = null;
 let blankAt = 0;
 let shownVerdict = null;
-const stick = new Stick((state, now) => link?.stick(state, now), () => heldUp());
+const stick = new Stick((state, now) => {
+  coach.heard(state);
+  link?.stick(state, now);
+}, () => heldUp());
 const desk = new Desk(link);
 const orders = new Orders(link, store);
 const review = new Review(link, panels, store, () => { refreshRun(); showLive(); }, () => (store.inFlight ? S.review_in_flight : ''));
 const live = new Live(() => review.leave());
+const alarms = new AlarmBar(store);
+watchLayout(scene);
+const coach = new Coach(store, scene, stick);
 
 function take(message) {
   if (message.type === 'desk') {
@@ -163,13 +172,13 @@ function nextMode() {
 const PRESSES = {
   KeyT: toggleLease, KeyP: togglePause, KeyX: abort, KeyN: () => newRun(), KeyV: () => panels.nextView(),
   KeyL: () => review.list(), KeyG: () => padDialog(stick, store.display), Slash: () => dialogs.help(store.display),
-  KeyM: () => { if (!review.on) nextMode(); },
+  KeyM: () => { if (!review.on) nextMode(); }, KeyK: () => alarms.acknowledge(), KeyO: () => alarms.toggleSound(),
   Equal: () => scene.zoom(0.85), Minus: () => scene.zoom(1.18),
   BracketLeft: () => scene.turn(0.15, 0), BracketRight: () => scene.turn(-0.15, 0),
 };
 addEventListener('keydown', (event) => {
   if (event.repeat || event.ctrlKey || event.metaKey || event.altKey || typing(event.target)) return;
-  if (event.code !== 'KeyX' && dialogs.takesKey(event.code)) return;
+  if (!['KeyX', 'KeyK', 'KeyO'].includes(event.code) && dialogs.takesKey(event.code)) return;
   const mode = ofKey(store.display, event.code);
   if (PRESSES[event.code] && link) PRESSES[event.code]();
   else if (mode && link && !review.on) setMode(mode.name);
@@ -219,7 +228,7 @@ function showBanner(silence) {
   if (ordered) banner(...ordered, true);
   else if (line) banner(...line, store.line.state !== 'opening');
   else if (status.phase === 'idle') banner(S.idle, store.can.desk ? S.desk.idle : S.idle_text);
-  else if (status.phase === 'starting') banner(S.starting, status.run || '');
+  else if (status.phase === 'starting' || (status.phase === 'flying' && !frame)) banner(S.starting, status.progress || status.run || '');
   else if (status.phase === 'refused') banner(S.run_refused, status.note, true);
   else if (status.note?.startsWith('failed')) banner(S.run_failed, status.note.slice(7), true);
   else if (status.phase === 'ended' && !verdict && status.note) banner(dialogs.sentence(status.note), '');
@@ -343,6 +352,7 @@ function draw(at) {
     showLive();
   }
   scene.draw();
+  if (due) coach.show(review.on);
   if (due) panels.showReticle(review.on ? review.frame() : store.frame);
 }
 
@@ -353,4 +363,4 @@ else {
   dialogs.message(S.no_token_title, S.no_page_token);
 }
 requestAnimationFrame(draw);
-window.rvd = { store, scene, stick, review, link }; // for tests and the curious
+window.rvd = { store, scene, stick, review, link, panels, alarms }; // for tests and the curious

@@ -3,6 +3,7 @@
 import { Charts } from './charts.js';
 import { Commands, Instruments, clock, dial, drawSection, linkCounts, number, readout, reticle, setSection } from './instruments.js';
 import { COLOUR, begin, say } from './canvas.js';
+import { CameraDigits } from './digits.js';
 import { drawAttitude, drawLamps, setAttitude, setLamps } from './cockpit.js';
 import { sample } from './data.js';
 import { counts, ladder } from './ladder.js';
@@ -25,6 +26,7 @@ export class Panels {
     this.instruments = new Instruments();
     this.commands = new Commands();
     this.charts = new Charts();
+    this.digits = new CameraDigits();
     this.chartsAt = 0;
     this.text = '';
   }
@@ -41,6 +43,7 @@ export class Panels {
     this.instruments.setDisplay(display);
     this.commands.setDisplay(display);
     this.charts.setDisplay(display);
+    this.digits.setDisplay(display.camera);
     setSection(display.section);
     setAttitude(display.attitude);
     setLamps(display.lamps);
@@ -111,6 +114,7 @@ export class Panels {
     if (display.attitude) drawAttitude(display.attitude, frame);
     if (display.lamps) drawLamps(display.lamps, frame);
     this.commands.show(frame);
+    this.digits.show(frame, stale);
     if (display.link) this.showLink(run, frame, measured, rungs, now);
     this.scene.place(frame, history, now, stale);
     if (performance.now() - this.chartsAt > CHARTS_MS) {
@@ -144,6 +148,8 @@ export class Panels {
   }
 
   showReticle(frame) {
-    if (this.display?.camera && frame) reticle($('reticle'), this.scene, this.display.camera, frame);
+    if (!this.display?.camera || !frame) return;
+    reticle($('reticle'), this.scene, this.display.camera, frame, this.digits.height);
+    this.digits.field(this.scene.cameraTan);
   }
 }

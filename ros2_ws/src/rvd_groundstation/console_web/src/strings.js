@@ -14,6 +14,7 @@ export const S = {
   scene: 'Scene', views: 'Views', camera_side: 'Camera, delay and charts',
   ladder: 'Command ladder', ladder_alt: 'Commands on their way to the craft and back',
   ladder_ground: 'ground', ladder_link: 'on the link', ladder_craft: 'at the craft', ladder_back: 'telemetry on its way back', ladder_known: 'known',
+  ladder_narrow: ['ground', 'link', 'craft', 'back', 'known'],
   round_trip: 'Round trip', dial_alt: 'Dial of the round trip',
   restart: 'New run', review: 'Review', settings: 'Stick', help: 'Help', stop: 'Stop run',
   review_close: 'Leave review', play: 'Play', stop_play: 'Stop', scrub: 'Instant of the review',
@@ -69,7 +70,8 @@ export const S = {
   pad_hold: 'Press the button that is to be held while flying.',
   dialog: 'a dialog', help_title: 'Keys', help_step: '{name} of the keys', or: 'or',
   review_truth: 'Review shows the truth. It never reaches this page while a run is flown.',
-  unknown: '–',
+  unknown: '–', alarms: 'Alarms', acknowledge: 'Acknowledge (K)', digits: 'Position and rates of the craft',
+  field: 'field {deg}°', field_was: '(was {deg}°)',
   desk: {
     door: 'Which volunteer? Enter the number you were given; no name is asked or kept.', volunteer: 'volunteer number', begin: 'Begin',
     heading: '{who}, flight {n} of {of}', training: 'Training: this flight does not count.', counts: 'This flight counts.',
@@ -108,10 +110,18 @@ export const HELP = [
   ['T', 'take or release the stick'],
   ['Space', 'dead-man, if so chosen under Stick'],
   ['P', 'pause, resume'], ['X X', 'ABORT, past every buffer{abort}'],
+  ['K', 'acknowledge the alarms: they fall silent until the next one'], ['O', 'sound of the alarms on, off'],
   ['N', 'new run'], ['V', 'next view'], ['+ − [ ]', 'zoom and turn the scene'], ['L', 'review a run'], ['G', 'stick settings'],
   ['?', 'this list'], ['Esc', 'close'],
   ['', 'A key that is released commands zero. Without focus, without this page, with the dead-man open, or while a dialog or a review is open, there is no pilot: the mode says who flies then, in shared the automatic controller, in manual nobody, and the page says what was decided.'],
 ];
+
+// Of alarms, and of what a pilot is told before the first command.
+export const A = {
+  none: 'no alarm', sound_on: 'Sound on (O)', sound_off: 'Sound off (O)', beyond: '{said}{label} {value}, limit {limit}',
+  telemetry: 'TELEMETRY LOST', pilot: 'PILOT LOST', nobody: 'NOBODY HOLDS THE STICK',
+};
+export const C = { good: 'A good approach', keys: 'Keys' };
 
 export const KEYS = { ArrowUp: '↑', ArrowDown: '↓', ArrowLeft: '←', ArrowRight: '→' };
 

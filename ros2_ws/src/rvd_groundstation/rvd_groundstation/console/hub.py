@@ -83,6 +83,7 @@ class Hub:
         self.run_name: str | None = None        # folder name of the run under way
         self.phase = 'idle'                     # idle, starting, flying, closing, ended
         self.note = ''
+        self.progress = ''                      # of a start: how many nodes are ready
         self.verdict: dict | None = None
         self.pilot_lost = False
         self.aborted = False                    # an ABORT was asked for, by whomever
@@ -293,7 +294,15 @@ class Hub:
         self._status()
 
     def told(self, phase: str, note: str = '', run: str | None = None) -> None:
-        """Be told by whoever starts runs how that goes with `run` (its folder)."""
+        """
+        Be told by whoever starts runs how that goes with `run` (its folder).
+
+        `progress` is no phase: its note says how far the start is, also once our own node is there.
+        """
+        self.progress = note if phase == 'progress' else ''
+        if phase == 'progress':
+            self._status()
+            return
         if phase == 'starting':
             self.run_name = run
         self.phase, self.note = phase, note
@@ -409,7 +418,8 @@ class Hub:
             who = 'free' if holder is None else 'you' if holder is client else 'other'
             self._tell(client, {
                 'type': 'status', 'phase': self.phase, 'note': self.note, 'lease': who,
-                'pages': len(self.clients), 'run': self.run_name, 'pilot_lost': self.pilot_lost})
+                'pages': len(self.clients), 'run': self.run_name, 'pilot_lost': self.pilot_lost,
+                'progress': self.progress})
 
     def _tell_ladder(self, client: Client) -> None:
         if self.feed is not None:

@@ -35,7 +35,7 @@ MOST_AXES = 6                   # of a hand controller: three to push, three to 
 # Keys that the page itself listens to, as KeyboardEvent.code says them.
 PAGE_KEYS = frozenset({
     'KeyT', 'KeyP', 'KeyX', 'KeyN', 'KeyV', 'KeyL', 'KeyG', 'KeyM', 'Slash', 'Equal', 'Minus',
-    'BracketLeft', 'BracketRight', 'Space', 'Escape', 'Enter', 'Tab'})
+    'KeyK', 'KeyO', 'BracketLeft', 'BracketRight', 'Space', 'Escape', 'Enter', 'Tab'})
 
 Point = tuple[float, float, float]
 COLOUR = re.compile('#[0-9a-f]{6}')
