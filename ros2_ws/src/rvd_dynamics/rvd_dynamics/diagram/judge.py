@@ -174,9 +174,11 @@ def aborted(verdict: Verdict, in_force: ArrayLike) -> Verdict:
     over = np.asarray(verdict.reason) != ''
     reason = np.where(over & in_force, ABORTED, verdict.reason)
     success = np.asarray(verdict.success) & ~np.asarray(in_force)
+    happened = np.where(over & in_force, NAN,   # when it would have been is no time of the ABORT
+                        NAN if verdict.happened is None else verdict.happened)
     if reason.ndim == 0:                        # of a single run, plain numbers
-        reason, success = reason.item(), success.item()
-    return verdict._replace(success=success, reason=reason)
+        reason, success, happened = reason.item(), success.item(), happened.item()
+    return verdict._replace(success=success, reason=reason, happened=happened)
 
 
 def judgement(judge: Judge, verdict: Verdict, row: int | tuple[int, ...] = ()) -> Judgement:
