@@ -2,8 +2,9 @@
 # Sourced by .rvd/env.sh and scripts/bringup.sh; `rvd_campaign.flight.reach` says it of a flight.
 #
 # Our file of Fast DDS profiles binds every socket to 127.0.0.1. It is left out where the user names
-# another file, another range or another middleware: then that decides, and `./rvd fly` says so. Shared memory,
-# which that file leaves out and says why, Fast DDS then uses where the user asks for it.
+# another file, another range or another middleware: then that decides, and `./rvd fly` says so.
+# Shared memory, which that file leaves out and says why, is left out there, too, unless the user
+# wants it.
 
 rvd_network() {
     local range=${ROS_AUTOMATIC_DISCOVERY_RANGE:-} profiles=${FASTRTPS_DEFAULT_PROFILES_FILE:-}

@@ -27,6 +27,8 @@ CASES = [
     ({reach.STATIC_PEERS: '10.0.0.7'}, {**ALONE, reach.STATIC_PEERS: '10.0.0.7'}, '10.0.0.7'),
     ({reach.RANGE: 'SUBNET'}, {**OPEN, reach.RANGE: 'SUBNET'},
      'RANGE=SUBNET: open to the network'),
+    ({reach.RANGE: 'SUBNET', reach.TRANSPORTS: ''}, {**OPEN, reach.RANGE: 'SUBNET'},
+     'open to the network'),
     ({reach.RANGE: 'SUBNET', reach.TRANSPORTS: 'DEFAULT'},
      {reach.RANGE: 'SUBNET', reach.TRANSPORTS: 'DEFAULT'}, 'open to the network'),
     ({**ALONE, reach.RANGE: 'SUBNET'}, {**OPEN, reach.RANGE: 'SUBNET', reach.SKIP: '1'},
@@ -36,7 +38,8 @@ CASES = [
     ({reach.PROFILES: '/my.xml'},
      {**OPEN, reach.RANGE: 'LOCALHOST', reach.PROFILES: '/my.xml'}, '/my.xml'),
     ({**ALONE, 'RMW_IMPLEMENTATION': 'rmw_cyclonedds_cpp'},
-     {**OPEN, reach.RANGE: 'LOCALHOST', reach.SKIP: '1', 'RMW_IMPLEMENTATION': 'rmw_cyclonedds_cpp'},
+     {**OPEN, reach.RANGE: 'LOCALHOST', reach.SKIP: '1',
+      'RMW_IMPLEMENTATION': 'rmw_cyclonedds_cpp'},
      'rmw_cyclonedds_cpp'),
 ]
 
@@ -54,7 +57,7 @@ def test_the_network_is_opened_on_purpose_and_that_is_said(given):
     settled = dict(given)
     line = reach.settle(True, settled)
     assert settled[reach.RANGE] == 'SUBNET'
-    assert settled[reach.TRANSPORTS] == given.get(reach.TRANSPORTS, reach.UDP)
+    assert settled[reach.TRANSPORTS] == (given.get(reach.TRANSPORTS) or reach.UDP)
     assert settled.get(reach.PROFILES) == (given.get(reach.PROFILES) if given.get(
         reach.PROFILES) == '/my.xml' else None)
     assert line.startswith('--network: open to the network')
@@ -108,7 +111,8 @@ def test_no_socket_of_a_node_is_bound_to_anything_but_loopback(alone, own_domain
 
 # -- another machine ------------------------------------------------------------------------------
 
-# What a stranger with `ROS_STATIC_PEERS` sees of a run and can do to it, as JSON.
+# What a stranger with `ROS_STATIC_PEERS` sees of a run in so many seconds, and can do to it once he
+# sees the nodes named, as JSON.
 STRANGER = """
 import json, sys, time
 import rclpy
@@ -116,17 +120,19 @@ from rvd_interfaces.srv import RunControl
 rclpy.init()
 node = rclpy.create_node('stranger')
 client = node.create_client(RunControl, '/run/control')
-until, seen, answered = time.monotonic() + float(sys.argv[1]), set(), False
+until, wanted = time.monotonic() + float(sys.argv[1]), set(sys.argv[2:])
+seen, answered = set(), False
 while time.monotonic() < until and not answered:
     rclpy.spin_once(node, timeout_sec=0.1)
     seen |= set(node.get_node_names()) - {'stranger'}
-    if client.service_is_ready() and len(seen) > 9:
+    if client.service_is_ready() and wanted <= seen:
         future = client.call_async(RunControl.Request(action=RunControl.Request.ABORT))
         rclpy.spin_until_future_complete(node, future, timeout_sec=30.0)
         answered = bool(future.done() and future.result().accepted)
 print(json.dumps({'seen': sorted(seen), 'aborted': answered}))
 """
 OURS, HIS = '10.213.7.1', '10.213.7.2'
+WANTED = {'spacecraft_dynamics', 'link_back'}   # of the spacecraft, and of the link
 ABORTED = 'abort goes out with the next frame'
 
 
@@ -191,7 +197,7 @@ def test_a_stranger_on_another_machine_sees_nothing_and_aborts_nothing(
     try:
         in_flight(tmp_path / 'run', 2)
         told = subprocess.run(
-            his.words(sys.executable, '-c', STRANGER, '60' if open_to else '5'),
+            his.words(sys.executable, '-c', STRANGER, '60' if open_to else '5', *WANTED),
             env={**env, reach.RANGE: 'SUBNET', reach.STATIC_PEERS: OURS}, cwd=tmp_path,
             check=True, capture_output=True, text=True).stdout
         assert process.poll() is None
@@ -202,7 +208,7 @@ def test_a_stranger_on_another_machine_sees_nothing_and_aborts_nothing(
     found, out = json.loads(told), (tmp_path / 'out').read_text()
     assert ('open to the network' in out) == open_to
     if open_to:
-        assert {'spacecraft_dynamics', 'link_back'} <= set(found['seen']) and found['aborted']
+        assert WANTED <= set(found['seen']) and found['aborted']
         assert ABORTED in out
     else:
         assert found == {'seen': [], 'aborted': False} and 'abort' not in out

@@ -38,7 +38,7 @@ def among_remains(tmp_path):
     """Return what runs a command on such a machine: its code, and what stands in /dev/shm then."""
     apart = ['unshare', '--mount', '--propagation', 'private']
     if not shutil.which('unshare') or subprocess.run([*apart, 'mount', '-t', 'tmpfs', 'none',
-                                                      '/mnt'], capture_output=True).returncode:
+                                                      '/dev/shm'], capture_output=True).returncode:
         pytest.skip('this user may not mount a /dev/shm of his own: root may')
 
     def run(*words, **variables):

@@ -47,20 +47,21 @@ def settle(network: bool = False, environment: MutableMapping[str, str] = os.env
         profiles = ''
         asked = '' if asked == 'SYSTEM_DEFAULT' else asked
     middleware = environment.get('RMW_IMPLEMENTATION') or USUAL_RMW
+    alone = not (network or profiles) and asked in ('', 'LOCALHOST') and middleware == USUAL_RMW
+    if not alone:
+        environment[TRANSPORTS] = environment.get(TRANSPORTS) or UDP
     if network:
-        environment.setdefault(TRANSPORTS, UDP)
         environment.pop(ONLY_LOCAL, None)
         _put(environment, RANGE, 'SUBNET')
         _put(environment, PROFILES, profiles)
         return f'--network: {WARNING}'
-    if not profiles and asked in ('', 'LOCALHOST') and middleware == USUAL_RMW:
+    if alone:
         environment.pop(ONLY_LOCAL, None)       # with it rmw listens on 0.0.0.0 again
         environment[RANGE], environment[SKIP] = 'SYSTEM_DEFAULT', '1'
         environment[PROFILES] = str(catalogue.root() / OURS)
         peers = environment.get(STATIC_PEERS, '')
         return peers and f'{STATIC_PEERS}={peers} does not act without --network: this run is ' \
                          'heard on this machine alone'
-    environment.setdefault(TRANSPORTS, UDP)
     _put(environment, RANGE, asked or 'LOCALHOST')
     _put(environment, PROFILES, profiles)
     if asked in OPEN and not profiles:
