@@ -307,7 +307,7 @@ def test_a_second_played_is_as_long_as_the_speed_says(page, speed):
       review.play(false);
       return review.frame().t;
     })()""")
-    assert gone == pytest.approx(4.0 * float(speed), abs=0.31)  # three steps from picture to picture
+    assert gone == pytest.approx(4.0 * float(speed), abs=0.31)  # three steps to a picture
 
 
 def test_one_can_jump_from_event_to_event(page):

@@ -66,8 +66,8 @@ def people(folder):
             run = folder / who / f'{number:02d}-{name}'
             run.mkdir(parents=True)
             (run / 'verdict.json').write_text(json.dumps({
-                'success': (number + (who == 'P02')) % 4 > 0, 'reason': 'docked', 'duration_s': 120.0,
-                'measures': measures}))
+                'success': (number + (who == 'P02')) % 4 > 0, 'reason': 'docked',
+                'duration_s': 120.0, 'measures': measures}))
             (run / 'ratings.json').write_text(json.dumps({
                 'volunteer': who, 'number': number, 'condition': name, 'mode': conditions[name],
                 'training': number < 4, 'seed': 1, 'cooper_harper': {'rating': number},

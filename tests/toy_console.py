@@ -167,7 +167,7 @@ class ToyConsole:
 
     def cut(self) -> None:
         """Let the connection of each page break."""
-        for client in list(self.hub.clients):
+        for client in list(self.hub.pages.clients):
             self._loop.call_soon_threadsafe(client.cut)
 
     def close(self) -> None:

@@ -1,4 +1,4 @@
-"""Which flights of a session count: those that were flown as their condition says, by the record."""
+"""Which flights of a session count: those flown as their condition says, by the record."""
 
 import asyncio
 import json

@@ -1,4 +1,4 @@
-"""A run in which an ABORT came into force was aborted: in every mission, and nothing else is new."""
+"""A run in which an ABORT came into force was aborted, in every mission; nothing else is new."""
 
 import numpy as np
 import pytest

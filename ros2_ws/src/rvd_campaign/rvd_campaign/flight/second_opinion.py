@@ -102,7 +102,7 @@ def over_the_bag(run_dir: Path, scenario: Scenario) -> Judgement:
 
 
 def was_aborted(run_dir: Path, scenario: Scenario) -> bool:
-    """Say whether an ABORT was in force in a run that somebody ended; by its bag, if there is one."""
+    """Say whether an ABORT was in force in a run that somebody ended, by its bag if it has one."""
     aborts = _AbortsIn(scenario)
     with suppress(BadInput):
         for file in files_of(run_dir):

@@ -101,8 +101,9 @@ def page(run: Recording, doubts: Iterable[str] = (), told: Told = Told()) -> str
         legs=list(links), links=_link_rows(list(links.values())), decided=_decided_rows(run),
         refused=_refused(run))
     return render(
-        'run.html.j2', title=headline(run, bool(doubts), bool(given_up(run, told)), told.ended_by), mark=mark,
-        kind=kind, facts=_facts(run),
+        'run.html.j2',
+        title=headline(run, bool(doubts), bool(given_up(run, told)), told.ended_by),
+        mark=mark, kind=kind, facts=_facts(run),
         warnings=[*(f'Not to be trusted: {doubt}.' for doubt in doubts), *_warnings(run, told),
                   *_damage(run, series), *(d for d in drawn if isinstance(d, str))],
         verdict=run.verdict, judged=run.judged,

@@ -61,7 +61,7 @@ class Verdict(NamedTuple):
     """Judgement of runs, each field of the batch's shape (plain numbers for a single run)."""
 
     success: Any                # [bool]  every criterion held
-    reason: Any                 # [text]  a key of the judge's `reasons`, or ABORTED; empty: under way
+    reason: Any                 # [text]  a key of the judge's `reasons`, or ABORTED; empty so far
     duration: Any               # [s]     from the start to the end of the run, or so far
     values: dict[str, Any]      # name of each measure: its value [its unit]; NaN while unknown
     happened: Any = None        # [s]     from the start to what the reason names; NaN, or None for

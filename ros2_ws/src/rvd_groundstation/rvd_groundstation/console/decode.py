@@ -136,7 +136,8 @@ def command_of_values(message: Any) -> Sample:
     given = sample.parts
     sample.parts = {
         'value': given.get('command', []), 'kind': int(given.get('kind', KIND_THRUST)),
-        'by': int(given['decided_by']) if 'decided_by' in given else None, 'weight': given.get('pilot_weight', math.nan),
+        'by': int(given['decided_by']) if 'decided_by' in given else None,
+        'weight': given.get('pilot_weight', math.nan),
         'reason': int(given.get('reason', REASON_NONE)), 'sequence': message.step + 1}
     return sample
 

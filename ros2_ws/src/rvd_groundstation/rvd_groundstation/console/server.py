@@ -25,7 +25,8 @@ from rvd_groundstation.console.access import (
 from rvd_groundstation.console.clients import STUCK_S
 from rvd_groundstation.console.door import (
     Answer, BAD_FRAME, Door, ELSEWHERE, STRANGER, TOO_MANY)
-from rvd_groundstation.console.hub import Client, Hub
+from rvd_groundstation.console.hub import Hub
+from rvd_groundstation.console.pages import Client
 from rvd_groundstation.console.protocol import encode, MAX_FRAME
 from rvd_groundstation.console.reports import POLICY, Reports
 from rvd_groundstation.console.tokens import tokens_of
@@ -148,7 +149,7 @@ class Server:
         """Close every page and stop listening."""
         for task in self._tasks:
             task.cancel()
-        for client in list(self.hub.clients):
+        for client in list(self.hub.pages.clients):
             client.closing = 'BYE'
             client.wake.set()
         await asyncio.sleep(0.05)
