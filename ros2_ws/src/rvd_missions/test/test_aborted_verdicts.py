@@ -1,6 +1,9 @@
 """A run in which an ABORT came into force was aborted, in every mission; nothing else is new."""
 
+from math import nan
+
 import numpy as np
+from numpy.testing import assert_array_equal
 import pytest
 
 from rvd_dynamics.diagram.aborts import Aborts
@@ -70,25 +73,26 @@ def test_an_abort_that_comes_too_late_to_act_changes_nothing():
 
 def test_a_verdict_of_one_run_keeps_plain_numbers():
     plain = Verdict(True, 'docked', 12.0, {})
-    assert aborted(plain, False) is plain
-    assert aborted(plain, True) == Verdict(False, ABORTED, 12.0, {})
-    assert aborted(plain._replace(reason='', success=False), True).reason == ''    # under way
+    assert aborted(plain, nan) is plain
+    assert aborted(plain, 4.5) == Verdict(False, ABORTED, 12.0, {}, 4.5)
+    assert aborted(plain._replace(reason='', success=False), 4.5).reason == ''     # under way
     rows = aborted(Verdict(np.array([True, True]), np.array(['docked', 'docked']), 1.0, {}),
-                   np.array([False, True]))
+                   np.array([nan, 4.5]))
     assert rows.reason.tolist() == ['docked', ABORTED] and rows.success.tolist() == [True, False]
+    assert_array_equal(rows.happened, [nan, 4.5])
 
 
-@pytest.mark.parametrize('said, before', [
-    ([('event', 4, 'ABORT'), ('board', 9, True)], True),
-    ([('board', 9, True), ('event', 4, 'ABORT')], True),    # in any order
-    ([('board', 9, True)], False),                          # nobody asked: the craft's own
-    ([('event', 4, 'ABORT')], False),                       # it has not come through
-    ([('event', 4, 'MODE'), ('board', 9, True)], False),
-    ([('event', 4, 'ABORT'), ('board', 9, False)], False),
-    ([('event', 4, 'ABORT'), ('board', 20, True)], False),  # what acts after the end
-    ([('event', 20, 'ABORT'), ('board', 9, True)], False)])
-def test_it_was_in_force_if_asked_for_and_obeyed_before_the_end(said, before):
-    aborts = Aborts()
+@pytest.mark.parametrize('said, since', [
+    ([('event', 4, 'ABORT'), ('board', 9, True)], 4.5),
+    ([('board', 9, True), ('event', 4, 'ABORT')], 4.5),     # in any order
+    ([('board', 9, True)], nan),                           # nobody asked: the craft's own
+    ([('event', 4, 'ABORT')], nan),                        # it has not come through
+    ([('event', 4, 'MODE'), ('board', 9, True)], nan),
+    ([('event', 4, 'ABORT'), ('board', 9, False)], nan),
+    ([('event', 4, 'ABORT'), ('board', 20, True)], nan),   # what acts after the end
+    ([('event', 20, 'ABORT'), ('board', 9, True)], nan)])
+def test_it_was_in_force_if_asked_for_and_obeyed_before_the_end(said, since):
+    aborts = Aborts(0.5)
     for what, step, value in said:
         getattr(aborts, what)(step, value)
-    assert aborts.before(20) is before
+    assert_array_equal(aborts.since(20), since)

@@ -246,8 +246,9 @@ def require_same_as_by_hand(scenario, run, schedule=()):
             assert name.startswith('pilot') and scenario.part('operation').operator == 'none'
             continue
         assert_array_equal(got[:, 0], np.stack([step[name] for step in steps]), name)
-    in_force = any(step['executed_kind'] == KIND_ABORT for step in steps[:-1])
-    alone = verdict_row(aborted(graph.judge.verdict(), in_force))
+    since = next((k*scenario.run.step_s for k, step in enumerate(steps[:-1])
+                  if step['executed_kind'] == KIND_ABORT), np.nan)
+    alone = verdict_row(aborted(graph.judge.verdict(), since))
     assert len(alone) == 13
     for key, value in verdict_row(flight.verdict, 0).items():
         assert_array_equal(value, alone[key], key)

@@ -98,7 +98,7 @@ def over_the_bag(run_dir: Path, scenario: Scenario) -> Judgement:
             final = bool(value.final)
     if not final:
         raise BadInput(f'the truth in the bag ends at step {last}, before the run does')
-    return judgement(judge, aborted(judge.verdict(True), aborts.found.before(last)))
+    return judgement(judge, aborted(judge.verdict(True), aborts.found.since(last)))
 
 
 def was_aborted(run_dir: Path, scenario: Scenario) -> bool:
@@ -108,14 +108,14 @@ def was_aborted(run_dir: Path, scenario: Scenario) -> bool:
         for file in files_of(run_dir):
             for stored in MessageFile(file, set(aborts.topics)):
                 aborts.take(stored)
-    return aborts.found.before(scenario.run.last_step)
+    return not math.isnan(aborts.found.since(scenario.run.last_step))
 
 
 class _AbortsIn:
     """What a bag says of an ABORT; what was on board is decoded once one has been asked for."""
 
     def __init__(self, scenario: Scenario) -> None:
-        self._shown, self.found = scenario.diagram.abort_shown, Aborts()
+        self._shown, self.found = scenario.diagram.abort_shown, Aborts(scenario.run.step_s)
         self.topics: tuple[str, ...] = (EVENTS,)
         if self._shown is not None:
             signal = scenario.diagram.signals[self._shown.signal]

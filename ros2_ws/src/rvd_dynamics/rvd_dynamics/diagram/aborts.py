@@ -9,13 +9,16 @@ In force    what shows it on board (`Diagram.abort_shown`, the guard's command i
             [k, k+1), so that of the final step acts on nothing.
 """
 
+import math
+
 ABORT_EVENT = 'ABORT'           # code of the event
 
 
 class Aborts:
     """Follows one run; what is said and what shows may come in any order."""
 
-    def __init__(self) -> None:
+    def __init__(self, step_s: float) -> None:
+        self._step_s = step_s
         self._asked: int | None = None          # step in which an ABORT was asked for first
         self._shown: int | None = None          # first step in which one showed on board
 
@@ -39,7 +42,9 @@ class Aborts:
         if shows and (self._shown is None or step < self._shown):
             self._shown = step
 
-    def before(self, final_step: int) -> bool:
-        """Say whether one was in force before the step that ends the run."""
-        return (self._asked is not None and self._shown is not None
-                and max(self._asked, self._shown) < final_step)
+    def since(self, final_step: int) -> float:
+        """Return from when one was in force [s]; NaN if the run ended before, or none was."""
+        if self._asked is None or self._shown is None:
+            return math.nan
+        step = max(self._asked, self._shown)
+        return step*self._step_s if step < final_step else math.nan

@@ -219,7 +219,7 @@ class Loop:
         self._truth = self._slots[self._diagram.truth.name].now
         self.ended = np.zeros(len(runs), dtype=bool)
         self.end_step = np.full(len(runs), -1, dtype=np.int64)
-        self._aborted = np.zeros(len(runs), dtype=bool)     # an ABORT was in force before the end
+        self._abort_since = np.full(len(runs), np.nan)      # [s] as `aborts` says
         self._history: dict[str, list] = {name: [] for name in self._record}
 
     def _made(self, block: Block, runs: Sequence[int], draws: Draws) -> Any:
@@ -295,7 +295,8 @@ class Loop:
             self.end_step[final & ~self.ended] = step
             self.ended |= final
         if self._aborts is not None and step >= self._aborts:
-            self._aborted |= self._shows_abort() & ~self.ended      # as `aborts` says
+            first = self._shows_abort() & ~self.ended & np.isnan(self._abort_since)
+            self._abort_since[first] = step*self._scenario.run.step_s
 
     def _shows_abort(self) -> NDArray[np.bool_] | bool:
         """Return in which runs it shows on board that an ABORT is in force."""
@@ -333,7 +334,7 @@ class Loop:
         if self._record:
             history = {name: _stacked(self._slots[name].signal, values, self.end_step, self._batch)
                        for name, values in self._history.items()}
-        verdict = aborted(self.judge.verdict(), self._aborted)
+        verdict = aborted(self.judge.verdict(), self._abort_since)
         return Batch(self._runs, self.end_step, verdict, columns, history)
 
 

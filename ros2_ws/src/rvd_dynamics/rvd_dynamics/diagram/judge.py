@@ -158,7 +158,7 @@ class Judgement(NamedTuple):
         return next((m.value for m in self.measures if m.name == name), NAN)
 
 
-def aborted(verdict: Verdict, in_force: ArrayLike) -> Verdict:
+def aborted(verdict: Verdict, since: ArrayLike) -> Verdict:
     """
     Return a verdict that says of which runs an ABORT was in force before they ended.
 
@@ -167,14 +167,16 @@ def aborted(verdict: Verdict, in_force: ArrayLike) -> Verdict:
 
     Parameters
     ----------
-    in_force : array_like of bool, of the batch's shape
+    since : array_like of float, of the batch's shape
+        From the start of the run to where it came into force [s]; NaN: it never did.
     """
+    in_force = ~np.isnan(since)
     if not np.any(in_force):
         return verdict
     over = np.asarray(verdict.reason) != ''
     reason = np.where(over & in_force, ABORTED, verdict.reason)
-    success = np.asarray(verdict.success) & ~np.asarray(in_force)
-    happened = np.where(over & in_force, NAN,   # when it would have been is no time of the ABORT
+    success = np.asarray(verdict.success) & ~in_force
+    happened = np.where(over & in_force, since,
                         NAN if verdict.happened is None else verdict.happened)
     if reason.ndim == 0:                        # of a single run, plain numbers
         reason, success, happened = reason.item(), success.item(), happened.item()

@@ -11,6 +11,7 @@ The final verdict goes to `fly` by a line of its own, too (`verdict_line`): anyb
 topic. Whoever does is named there, by the event SECOND_WRITER, and in /diagnostics.
 """
 
+import math
 import time
 from typing import Any
 
@@ -43,7 +44,7 @@ class MissionMonitor(RunNode):
         self._out = self.writer('/run/verdict', Verdict)
         self._published = time.monotonic()
         self._judged_final = False
-        self._aborts = Aborts()
+        self._aborts = Aborts(self.run.step_s)
         self._board_step = -1                   # newest that was looked at
         self._board = b''                       # the newest of it from another process, serialised
         self._board_is_local = True
@@ -187,7 +188,7 @@ class MissionMonitor(RunNode):
         """Say the final verdict, once it is known whether an ABORT was in force."""
         if self._judged_final or self._final_at is None:
             return
-        if self._aborts.asked and not self._aborts.before(self.step):
+        if self._aborts.asked and math.isnan(self._aborts.since(self.step)):
             self._look_on_board()
             if (self._board_step < self.step - 1 and not self._board_is_local
                     and time.monotonic() - self._final_at < ABORT_S):
@@ -197,8 +198,10 @@ class MissionMonitor(RunNode):
         self.finish()
 
     def _publish(self, final: bool) -> None:
-        judged = judgement(self._judge, aborted(
-            self._judge.verdict(final), final and self._aborts.before(self.step)))
+        verdict = self._judge.verdict(final)
+        if final:
+            verdict = aborted(verdict, self._aborts.since(self.step))
+        judged = judgement(self._judge, verdict)
         header = header_at(self.step * self.run.step_ns, self.run.frame_id)
         message = serialize_message(verdict_to_msg(header, self.step, final, judged))
         if final:
