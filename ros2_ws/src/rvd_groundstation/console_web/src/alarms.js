@@ -5,8 +5,6 @@ import { amount, number } from './data.js';
 const HOLD_S = 2; // wall time for which a reading must be back inside before its alarm goes
 const TELL_S = 0.6; // likewise, for which nobody must hold the stick
 const STALE_S = 1; // beyond what the delay explains
-const [STICK_INVALID, NEITHER_VALID] = [9, 11]; // reasons of a decision
-const ABORT = 3; // kind of a command
 
 // How far a reading is beyond its limit, with value and limit; undefined while it is not known.
 export function beyond(frame, { role, value, low, high }) {
@@ -36,24 +34,24 @@ export function ofDisplay(frame, alarms, stands) {
 }
 
 // Those of the page, whatever is flown: telemetry that does not come, a stick that nobody holds.
-export function ofPage({ run, frame, measured, sent, silence, connected, pilotLost }, words) {
+// `flies` is what `decided` found in the newest command.
+export function ofPage({ run, frame, measured, flies, silence, connected, pilotLost }, words) {
   const pace = Math.max(run.pace, 1);
   const patience = STALE_S + run.step_s / run.pace; // wall time: a frame comes with each step
   const quiet = connected ? silence : Math.max(silence, patience);
   const age = frame.t + quiet * run.pace - (measured ? measured.t : 0);
   const lost = quiet >= patience || age > run.back_s + 2 * run.step_s + STALE_S * pace;
-  const nobody = run.operator === 'console' && sent && sent.parts.kind !== ABORT
-    && [STICK_INVALID, NEITHER_VALID].includes(sent.parts.reason);
+  const nobody = run.operator === 'console' && flies?.unheld;
   return [
     { words: words.telemetry, level: 'warning', on: lost, age },
-    { words: words.pilot, level: 'warning', on: Boolean(pilotLost) },
-    { words: words.nobody, level: 'caution', on: Boolean(nobody && !pilotLost), after: TELL_S },
+    { words: words.pilot, level: 'warning', on: Boolean(pilotLost), flies },
+    { words: words.nobody, level: 'caution', on: Boolean(nobody && !pilotLost), flies, after: TELL_S },
   ];
 }
 
 export class Alarms {
   constructor() {
-    this.standing = new Map(); // words: { level, seen, age, last, acknowledged }
+    this.standing = new Map(); // words: { level, seen, age, flies, last, acknowledged }
     this.pending = new Map(); // words: since when
   }
 
@@ -66,7 +64,7 @@ export class Alarms {
     this.pending.clear();
   }
 
-  // `found` are rows { words, level, on, seen, age, after } in the order of their weight.
+  // `found` are rows { words, level, on, seen, age, flies, after } in the order of their weight.
   judge(found, now) {
     for (const one of found) {
       const old = this.standing.get(one.words);
@@ -75,7 +73,7 @@ export class Alarms {
       const on = one.on && (old || now - this.pending.get(one.words) >= (one.after || 0));
       if (on) this.standing.set(one.words, { acknowledged: false, ...old, ...one, last: now });
       else if (old && now - old.last >= HOLD_S) this.standing.delete(one.words);
-      else if (old) Object.assign(old, { seen: one.seen ?? old.seen, age: one.age });
+      else if (old) Object.assign(old, { seen: one.seen ?? old.seen, age: one.age, flies: one.flies });
     }
     const places = new Map(found.map(({ words }, i) => [words, i]));
     for (const words of this.standing.keys()) if (!places.has(words)) this.standing.delete(words);

@@ -145,6 +145,12 @@ export class Charts {
     }));
   }
 
+  // Strips without curves.
+  blank({ charts }) {
+    this.strips.forEach((strip, i) => strip.show(charts[i]));
+    $('charts-note').textContent = '';
+  }
+
   // Of many strips one half is drawn at a time: they cost what a few do.
   show(histories, frame, until) {
     this.turn = !this.turn;

@@ -34,8 +34,8 @@ const ODD = 'the reason that is told does not fit';
 /**
  * Return who flies and why.
  *
- * `who` and `why` are words; `pilot` says whether the stick is in the command that was sent, `alarm` whether nobody
- * flies or a guard does. `mode` is the one in force, `by` and `reason` the codes of the newest command.
+ * `who` and `why` are words; `pilot` says whether the stick is in the command that was sent, `unheld` whether no valid
+ * stick came, `alarm` whether nobody flies or a guard does. `mode` is the one in force, `by` and `reason` the codes of the newest command.
  */
 export function decided(mode, by, reason) {
   if (!(by in WHO) || !(reason in CAUSES)) return { who: UNKNOWN, why: '', pilot: false, alarm: true };
@@ -47,6 +47,7 @@ export function decided(mode, by, reason) {
   const late = mode in MAY && by !== GUARD && (!MAY[mode].includes(by) || (mode === 'shared' && reason === MODE && by !== NOBODY));
   const odd = DENIED[reason]?.includes(by);
   return { who, why: odd ? ODD : late ? 'decided before the mode was changed' : why, pilot: by === PILOT || by === BLEND,
+    unheld: reason === PILOT_INVALID || reason === BOTH_INVALID,
     alarm: by === NOBODY || by === GUARD || reason === MISSING || reason === AUTO_INVALID || odd === true };
 }
 

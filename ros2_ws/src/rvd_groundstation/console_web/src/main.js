@@ -1,6 +1,7 @@
 // The page: words into their places, messages into the store, the store onto the screen.
 
 import { AlarmBar } from './alarmbar.js';
+import { banner } from './banner.js';
 import { say } from './canvas.js';
 import { Coach } from './coach.js';
 import { instead, sentence, whoFlies } from './decided.js';
@@ -103,7 +104,7 @@ function refreshRun() {
   panels.setDisplay(display);
   stick.setController(display.controller);
   desk.task = { hint: display.hint, goal: display.goal, display };
-  if (!store.run) panels.blank(store.history);
+  if (!store.run) panels.blank();
   showName();
 }
 
@@ -211,16 +212,6 @@ function showStatus() {
   showAbort();
 }
 
-function banner(words, small, alarm) {
-  const element = $('banner');
-  const html = words ? `${dialogs.escape(words)}${small ? `<small>${dialogs.escape(small)}</small>` : ''}` : '';
-  if (element.dataset.said !== html) {
-    element.dataset.said = html;
-    element.innerHTML = html;
-  }
-  element.classList.toggle('alarm', Boolean(alarm));
-}
-
 function showBanner(silence) {
   const { status, frame, run, verdict } = store;
   const ordered = orders.words();
@@ -309,7 +300,7 @@ function showFrame() {
   showModes(store.display, frame, frame?.mode || run?.mode, store.status.lease === 'you' && !store.can.desk);
   if (!run && store.display && performance.now() - blankAt > BLANK_MS) { // boxes change until the page has settled
     blankAt = performance.now();
-    panels.blank(history);
+    panels.blank();
   }
   if (!run || !frame) return;
   const now = store.now();

@@ -1,20 +1,17 @@
 // The panels as a display describes them, filled from a frame: of a flight or of a review alike.
 
 import { Charts } from './charts.js';
-import { Commands, Instruments, clock, dial, drawSection, linkCounts, number, readout, reticle, setSection } from './instruments.js';
+import { Commands, Instruments, clock, dial, drawSection, linkCounts, number, reticle, setSection } from './instruments.js';
 import { COLOUR, begin, say } from './canvas.js';
 import { CameraDigits } from './digits.js';
 import { drawAttitude, drawLamps, setAttitude, setLamps } from './cockpit.js';
-import { sample } from './data.js';
+import { History, sample } from './data.js';
 import { counts, ladder } from './ladder.js';
 import { setModes } from './modes.js';
 import { scaleText } from './scene.js';
 import { S, fill } from './strings.js';
 
 const $ = (id) => document.getElementById(id);
-// What is filled from frames, and so empty before the first one.
-const CANVASES = ['section', 'lights', 'ladder', 'reticle', 'ball', 'dial'];
-const WORDS = ['section-note', 'why', 'ladder-counts', 'link-counts', 'charts-note'];
 const CHARTS_MS = 250; // between two looks at the charts
 
 const ahead = (s) => fill(s < 0 ? S.before : S.ahead, { s: number(Math.abs(s), 1) });
@@ -75,18 +72,6 @@ export class Panels {
     this.setView(this.scene.chosen);
   }
 
-  // As before the first run: no number, line or mark of what was shown stays.
-  blank() {
-    if (!this.display) return;
-    for (const panel of [this.instruments, this.commands, this.charts]) panel.setDisplay(this.display);
-    setModes(this.display, this.choose);
-    this.scene.place(null, null, 0, false);
-    for (const id of CANVASES) begin($(id));
-    for (const id of WORDS) $(id).textContent = '';
-    for (const id of ['gen', 'rx', 'pred']) clock(id, undefined, '', false);
-    readout(undefined, $('foot-words'));
-  }
-
   setView(chosen) {
     this.scene.chosen = chosen;
     [...$('views').children].forEach((button, i) => button.setAttribute('aria-pressed', String(i === chosen)));
@@ -123,20 +108,20 @@ export class Panels {
     }
   }
 
-  // Show that nothing is known.
-  blank(history) {
+  // Show that nothing is known: no number, line or mark of what was shown stays.
+  blank() {
     const { display } = this;
+    if (!display) return;
     const frame = { signals: {} };
     this.clocks(frame, 0, '', '', false);
-    this.instruments.show(frame, false);
+    for (const panel of [this.instruments, this.commands, this.digits]) panel.show(frame, false);
     if (display.section) drawSection(display.section, frame);
     if (display.attitude) drawAttitude(display.attitude, frame);
     if (display.lamps) drawLamps(display.lamps, frame);
-    this.commands.show(frame);
     for (const id of ['dial', 'ladder']) begin($(id));
-    for (const id of ['link-counts', 'ladder-counts']) $(id).replaceChildren();
-    this.scene.place(frame, history, 0, false);
-    this.charts.show(history.charts, frame);
+    for (const id of ['ladder-counts', 'link-counts']) $(id).textContent = '';
+    this.charts.blank(new History(display, 0));
+    this.scene.place(null, null, 0, false);
     this.showReticle(frame);
   }
 

@@ -1,5 +1,6 @@
 // Review: a finished run in the same page, scrubbed, with the truth beside what was predicted.
 
+import { banner } from './banner.js';
 import * as dialogs from './dialogs.js';
 import { History, sample } from './data.js';
 import { number } from './instruments.js';
@@ -129,7 +130,7 @@ export class Review {
     $('run-name').textContent = '';
     $('run-name').title = '';
     $('camera-tag').textContent = this.run.display.camera?.title || '';
-    this.say('', false);
+    banner('');
     this.panels.blank();
     this.back();
     document.activeElement?.blur(); // it may have been in the bar that is gone
@@ -272,7 +273,7 @@ export class Review {
     const frame = this.frame();
     const measured = sample(frame, run.display.measured);
     const rungs = this.ladderAt(frame.k);
-    this.banner(rungs);
+    this.say(rungs);
     showModes(run.display, frame, frame.mode, false);
     this.panels.clocks(frame, frame.t, measured ? fill(S.age, { s: number(frame.t - measured.t, 1) }) : '', '', false);
     this.panels.show({ run, frame, history: this.history, now: frame.t, stale: false, until: frame.t, rungs });
@@ -287,26 +288,17 @@ export class Review {
     return this.shownRungs.rungs;
   }
 
-  banner(rungs) {
+  say(rungs) {
     const { run, row } = this;
     if (this.at === run.frames.length - 1) {
       const words = run.verdict?.words ?? (row?.reason ? String(row.reason).replaceAll('_', ' ') : '');
-      this.say(words && dialogs.sentence(words), !(run.verdict?.success ?? row?.success));
+      banner(words && dialogs.sentence(words), '', !(run.verdict?.success ?? row?.success));
     } else if (rungs.some(inForce)) {
       const does = run.display.abort;
-      this.say(does ? fill(S.aborted_so, { does }) : S.aborted, true);
+      banner(does ? fill(S.aborted_so, { does }) : S.aborted, '', true);
     } else {
-      this.say('', false);
+      banner('');
     }
-  }
-
-  say(words, alarm) {
-    const element = $('banner');
-    if (element.dataset.said !== words) {
-      element.dataset.said = words;
-      element.textContent = words;
-    }
-    element.classList.toggle('alarm', Boolean(words) && alarm);
   }
 
   // -- what it gives away ---------------------------------------------------------------------
