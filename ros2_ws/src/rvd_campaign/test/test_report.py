@@ -150,7 +150,7 @@ def test_a_mission_without_figures_has_all_the_rest(recording):
     html = page(of_a_mission(recording, figures=''))
     text = Reader(html).text
     assert html.count('<svg') == 1 and 'Link delays' in text        # of every mission
-    for fact in ('Docked after 60.0 s', 'mission lunar_approach', '0.188 m', 'Link counts',
+    for fact in ('Docked after 60.0 s', 'mission lunar approach', '0.188 m', 'Link counts',
                  f'{LAST + 1} = {LAST + 1} \u2713', 'onboard_guard REFUSED', 'half_angle_deg: 3.0'):
         assert fact in text, fact
 

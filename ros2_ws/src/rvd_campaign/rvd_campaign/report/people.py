@@ -260,7 +260,8 @@ def _page(session: dict[str, Any], table: list[Condition], flights: list[dict[st
         'people.html.j2', title=session['title'], note=session.get('note', ''),
         volunteers=len({f['volunteer'] for f in flights}), flights=len(flights),
         left_out=left_out, weighted=weighted, pairs=compared, broken=[
-            (f['volunteer'], str(f['number']), f['condition'], f['why']) for f in broken],
+            (f['volunteer'], str(f['number']), words.get(f['condition'], f['condition']), f['why'])
+            for f in broken],
         heads=['condition', 'flights', ('success', '95 %'),
                *((m['words'], m['unit']) for m in measures.values()), 'Cooper-Harper', 'NASA-TLX',
                *(['NASA-TLX, weighted'] if weighted else [])],

@@ -28,6 +28,7 @@ from rvd_dynamics.recording.flown import ABORT, of_recording, UNKNOWN
 from rvd_dynamics.recording.reader import read
 from rvd_dynamics.recording.recording import Recording
 from rvd_dynamics.recording.series import Commands, LinkHistory, Series, SERIES, Table
+from rvd_dynamics.recording.worded import worded
 
 MOST_EVENTS = 1000              # rows of the table of events
 MOST_SILENCES = 10              # of them that stand above, too
@@ -225,11 +226,11 @@ def _facts(run: Recording) -> list[tuple[str, str, str]]:
     facts, scenario = [('scenario ', run.name or 'unknown', '')], run.scenario
     if scenario is None:
         return facts
-    facts.append(('mission ', scenario.mission.name, ''))
+    facts.append(('mission ', worded(scenario.mission.name), ''))
     if scenario.has_shared('operator'):
         operation = scenario.part('operation')
         facts += [('mode ', _modes(run, operation.mode), ''),
-                  ('operator ', operation.operator, '')]
+                  ('operator ', worded(operation.operator), '')]
     facts += [('seed ', str(scenario.run.seed), ''), ('run ', str(scenario.run.run), ''),
               ('step ', f'{scenario.run.step_s:g} s', '')]
     delays = ' + '.join(f'{link.hold_s:g}' for link in run.links.values())
