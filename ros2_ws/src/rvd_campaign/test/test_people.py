@@ -74,7 +74,7 @@ def test_a_flight_whose_condition_was_broken_is_left_out_and_named(session):
     assert (before.flights, before.successes) == (2, 1) and (manual.flights, manual.successes) == (
         1, 1)
     page = ' '.join(write_session_report(session).read_text().split())
-    assert '<td>P01</td><td>3</td><td>manual</td><td>the mode was changed: 88 %' in page
+    assert '<td>P01</td><td>3</td><td>manual control</td><td>the mode was changed: 88 %' in page
     assert '1 not counted' in page
     with (session / 'flights.csv').open() as file:
         rows = {row['number']: row for row in csv.DictReader(file)}

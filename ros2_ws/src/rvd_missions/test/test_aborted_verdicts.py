@@ -39,8 +39,11 @@ def test_an_abort_is_the_reason_in_every_mission(name):
     step = round(min(5.0, 0.25 * scenario.run.timeout_s) / scenario.run.step_s)
     batch = fly(scenario, [0], schedule=[Change(step, abort=True)])
     told = judgement(judge_of(scenario), batch.verdict, 0)
-    assert (told.success, told.reason, told.words) == (False, ABORTED, 'aborted')
-    assert f'failed after {told.duration:.1f} s: aborted' == told.headline
+    since = batch.verdict.happened[0]           # what it was sent in, or a delay after that
+    assert step <= since / scenario.run.step_s < batch.end_step[0]
+    assert (told.success, told.reason, told.words) == (
+        False, ABORTED, f'aborted at {since:.1f} s')
+    assert told.headline == f'failed: {told.words}; the run ended after {told.duration:.1f} s'
     usual = fly(scenario, [0])
     assert usual.verdict.reason[0] != ABORTED
 
