@@ -18,7 +18,7 @@ WEB = ROOT / 'ros2_ws/src/rvd_groundstation/console_web'
 INSTALL = 'apt-get install -y chromium'
 SETTLE_S = 10.0                 # [s] simulated: how fast the scripted pilot wants errors gone
 DEAD_ZONE = 0.01                # [m/s] rate errors below are left alone
-KEYS = {1: ('ArrowDown', 'ArrowUp'), 2: ('ArrowLeft', 'ArrowRight')}     # of y and z: -, +
+KEYS = {'up': ('ArrowDown', 'ArrowUp'), 'right': ('ArrowLeft', 'ArrowRight')}   # -, +
 
 
 def chromium() -> str:
@@ -177,18 +177,26 @@ def take_and_start(page, mode: str = 'shared', seed: int | None = None) -> None:
     until(page, "rvd.store.status.phase === 'flying' && Boolean(rvd.store.frame)")
 
 
-def fly_by_keys(page, deadline_s: float = 120.0, over: str = 'Boolean(rvd.store.verdict)') -> None:
-    """Fly what the page predicts to the axis with the arrow keys until the flight is `over`."""
-    down: dict[int, str | None] = {1: None, 2: None}
+SHOWN = """({
+  numbers: [...document.querySelectorAll('#digits b.predicted')].map((cell) => cell.innerText),
+  over: document.querySelector('#verdict-words') !== null })"""
+
+
+def fly_by_keys(page, deadline_s: float = 120.0) -> None:
+    """
+    Fly to the axis with the arrow keys until the page shows a verdict.
+
+    The pilot reads what is written beside the reticle, and nothing else: what the page predicts.
+    """
+    down: dict[str, str | None] = dict.fromkeys(KEYS)
     deadline = time.monotonic() + deadline_s
     while time.monotonic() < deadline:
-        seen = page.evaluate(
-            '({x: rvd.store.predicted && [...rvd.store.predicted.parts.position, '
-            f'...rvd.store.predicted.parts.velocity], over: {over}}})')
+        seen = page.evaluate(SHOWN)
         if seen['over']:
             break
-        for axis, names in KEYS.items():
-            key = wanted_key(seen['x'], axis, names)
+        _, _, up, up_rate, right, right_rate = map(_read, seen['numbers'])
+        for axis, place, rate in (('up', up, up_rate), ('right', right, right_rate)):
+            key = wanted_key(place, rate, KEYS[axis])
             if key != down[axis]:
                 if down[axis]:
                     page.keyboard.up(down[axis])
@@ -200,10 +208,15 @@ def fly_by_keys(page, deadline_s: float = 120.0, over: str = 'Boolean(rvd.store.
         page.keyboard.up(key)
 
 
-def wanted_key(state: list[float] | None, axis: int, names: tuple[str, str]) -> str | None:
+def _read(words: str) -> float | None:
+    """Return a number as the page writes it; None where it writes that it knows none."""
+    return None if words == '\u2013' else float(words.replace('\u2212', '-'))
+
+
+def wanted_key(place: float | None, rate: float | None, names: tuple[str, str]) -> str | None:
     """Return the key that brings the predicted rate of an axis nearer to what is wanted."""
-    if state is None:
+    if place is None or rate is None:
         return None
-    wanted = max(-0.06, min(0.06, -state[axis] / SETTLE_S))
-    error = wanted - state[axis + 3]
+    wanted = max(-0.06, min(0.06, -place / SETTLE_S))
+    error = wanted - rate
     return None if abs(error) < DEAD_ZONE else names[error > 0.0]

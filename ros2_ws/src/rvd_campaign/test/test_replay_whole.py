@@ -39,5 +39,6 @@ def test_the_last_picture_is_that_of_the_last_step(run, monkeypatch, most, every
     frames = shown(run)['frames']
     assert frames[1]['k'] == every
     assert frames[-1]['k'] == small_run.LAST
+    assert frames[-1]['signals']['/ground/prediction']['t'] == frames[-1]['t']  # and not beyond
     last = frames[-1]['signals']['truth']['parts']
     assert last['position'] == pytest.approx(small_run.true_state(small_run.LAST)[:3], abs=1e-5)

@@ -145,8 +145,8 @@ class Replay:
 
     def content(self) -> dict[str, Any]:
         """Return all of it."""
-        if self._frames and self._frames[-1]['k'] < self._feed.step:
-            self._keep_frame()                  # how it ended, whatever pictures were left out
+        if self._frames:
+            self._keep_last()
         if self._newest is not None:
             self._truth.setdefault(*self._newest)
         if self._left_out:
@@ -192,6 +192,14 @@ class Replay:
         frame = self._feed.frame(self._feed.ladder.version)
         del frame['type'], frame['ladder']
         self._frames.append(frame)
+
+    def _keep_last(self) -> None:
+        """Keep how it ended, as a page of the flight shows it, whatever pictures were left out."""
+        if self._verdict is not None:
+            self._feed.settle(self._verdict['duration'])
+        if self._frames[-1]['k'] == self._feed.step:
+            self._frames.pop()
+        self._keep_frame()
 
     def _on_truth(self, m: Any) -> None:
         self._check_step(m)
