@@ -8,10 +8,12 @@ import sys
 import pytest
 from runs import end, in_flight, messages, node_pid, start_rvd, verdict_of
 
+from rvd_dynamics.commands.codes import KIND_ABORT
+
 pytestmark = pytest.mark.slow
 SCENARIO = """
 /**:
-  ros__parameters: {pace: realtime, pace_factor: 20.0, timeout_s: 200.0, processes: %s}
+  ros__parameters: {pace: realtime, pace_factor: 20.0, step_s: 0.5, timeout_s: 200.0, processes: %s}
 """
 ASK = """
 import rclpy
@@ -54,6 +56,9 @@ def test_an_aborted_flight_says_so_everywhere(processes, tmp_path):
     assert told['trusted'] and told['bag_agrees'], told
     assert told['flown']['aborted'] and told['flown']['modes']['abort'] > 0.3
     final = [m for m in messages(run, '/run/verdict') if m.final]
-    assert [(m.reason, m.words) for m in final] == [('aborted', 'aborted')]
+    since = 0.5*next(m.step for m in messages(run, '/onboard/thruster_command')
+                     if m.kind == KIND_ABORT)
+    assert [(m.reason, m.words) for m in final] == [('aborted', f'aborted at {since:.1f} s')]
     assert all(m.reason == '' for m in messages(run, '/run/verdict') if not m.final)
-    assert f'Failed after {told["duration_s"]:.1f} s: aborted' in (run / 'report.html').read_text()
+    assert (f'Failed: {final[0].words}; the run ended after {told["duration_s"]:.1f} s'
+            in (run / 'report.html').read_text())

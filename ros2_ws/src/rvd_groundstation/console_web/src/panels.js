@@ -12,6 +12,7 @@ import { scaleText } from './scene.js';
 import { S, fill } from './strings.js';
 
 const $ = (id) => document.getElementById(id);
+const CANVASES = ['section', 'lights', 'ladder', 'reticle', 'ball', 'dial'];
 const CHARTS_MS = 250; // between two looks at the charts
 
 const ahead = (s) => fill(s < 0 ? S.before : S.ahead, { s: number(Math.abs(s), 1) });
@@ -61,6 +62,7 @@ export class Panels {
       return entry;
     }));
     this.scene.setDisplay(display);
+    for (const id of CANVASES) begin($(id)); // also of a panel that this display has not
     $('views').replaceChildren(...display.views.map((view, i) => {
       const button = document.createElement('button');
       button.textContent = view.label;
