@@ -177,24 +177,23 @@ def take_and_start(page, mode: str = 'shared', seed: int | None = None) -> None:
     until(page, "rvd.store.status.phase === 'flying' && Boolean(rvd.store.frame)")
 
 
-SHOWN = """({
-  numbers: [...document.querySelectorAll('#digits b.predicted')].map((cell) => cell.innerText),
-  over: document.querySelector('#verdict-words') !== null })"""
+VERDICT = "document.querySelector('#verdict-words') !== null"
+NUMBERS = "[...document.querySelectorAll('#digits b.predicted')].map((cell) => cell.innerText)"
 
 
-def fly_by_keys(page, deadline_s: float = 120.0) -> None:
+def fly_by_keys(page, deadline_s: float = 120.0, over: str = VERDICT) -> None:
     """
-    Fly to the axis with the arrow keys until the page shows a verdict.
+    Fly to the axis with the arrow keys until the page shows a verdict, or until `over`.
 
     The pilot reads what is written beside the reticle, and nothing else: what the page predicts.
     """
     down: dict[str, str | None] = dict.fromkeys(KEYS)
     deadline = time.monotonic() + deadline_s
     while time.monotonic() < deadline:
-        seen = page.evaluate(SHOWN)
-        if seen['over']:
+        ended, numbers = page.evaluate(f'[{over}, {NUMBERS}]')
+        if ended:
             break
-        _, _, up, up_rate, right, right_rate = map(_read, seen['numbers'])
+        _, _, up, up_rate, right, right_rate = map(_read, numbers)
         for axis, place, rate in (('up', up, up_rate), ('right', right, right_rate)):
             key = wanted_key(place, rate, KEYS[axis])
             if key != down[axis]:
