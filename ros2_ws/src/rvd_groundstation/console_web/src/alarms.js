@@ -39,7 +39,7 @@ export function ofPage({ run, frame, measured, flies, silence, connected, pilotL
   const pace = Math.max(run.pace, 1);
   const patience = STALE_S + run.step_s / run.pace; // wall time: a frame comes with each step
   const quiet = connected ? silence : Math.max(silence, patience);
-  const age = frame.t + quiet * run.pace - (measured ? measured.t : 0);
+  const age = Math.max(frame.t, measured?.received ?? 0) + quiet * run.pace - (measured ? measured.t : 0);
   const lost = quiet >= patience || age > run.back_s + 2 * run.step_s + STALE_S * pace;
   const nobody = run.operator === 'console' && flies?.unheld;
   return [

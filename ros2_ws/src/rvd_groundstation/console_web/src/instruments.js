@@ -257,14 +257,14 @@ export function dial(canvas, run, roundTrip, transit) {
   if (pen.measureText(legs).width < 1.55 * r) text(pen, legs, cx, cy + rem * 1.2, COLOUR.dim, 'center');
 }
 
-export function linkCounts(frame, measured, step) {
+export function linkCounts(frame, measured, step, now) {
   const { link, gap } = frame;
   const rows = [[S.link.transit, measured ? `${number(measured.transit, 2)} s` : S.unknown]];
   if (link) {
     rows.push([S.link.p99, `${number(link.delay_p99, 2)} s`], [S.link.lost, link.lost + link.outage],
       [S.link.late, link.late], [S.link.corrupted, link.corrupted]);
   }
-  rows.push([S.link.gap, gap ? fill(S.ago, { s: number((frame.k - gap.k) * step, 0) }) : S.unknown]);
+  rows.push([S.link.gap, gap ? fill(S.ago, { s: number(Math.max(now - gap.k * step, 0), 0) }) : S.unknown]);
   const html = rows.map(([name, value]) => `<dt>${name}</dt><dd>${value}</dd>`).join('');
   if ($('link-counts').innerHTML !== html) $('link-counts').innerHTML = html;
 }

@@ -234,7 +234,7 @@ function showBanner(silence) {
     else if (late) banner(S.abort_untold, fill(S.abort_untold_hint, { s: since.toFixed(0) }), true);
     else banner(fill(S.abort_sent, { s: Math.max(0, run.forward_s - since).toFixed(0) }), '', true);
   } else if (status.pilot_lost) banner(instead(S.pilot_lost, flying()), '', true);
-  else if (heldUp() && status.lease === 'you') banner(released(), S.stick_back, true);
+  else if (heldUp() && status.lease === 'you') banner(released(), stickBack(), true);
   else if (frame?.paused) banner(S.paused, '');
   else if (frame && !store.measured && status.phase === 'flying') banner(S.no_telemetry, fill(S.first_in, { s: Math.max(0, run.back_s - frame.t).toFixed(0) }));
   else if (verdict) banner(dialogs.sentence(verdict.words), '', !verdict.success);
@@ -249,6 +249,9 @@ function flying() {
 function released() {
   return instead(fill(S.stick_released, { what: heldUp() }), flying());
 }
+
+// After an ABORT there is nothing to fly on.
+const stickBack = () => (store.abortAt === null ? S.stick_back : '');
 
 // How the stick stands, and who flies where it does not.
 function stickWords(held, stuck) {
@@ -292,7 +295,7 @@ function showFrame() {
   const { frame, run, history } = store;
   const silence = store.silence();
   showBanner(silence);
-  dialogs.note(heldUp() && store.status.lease === 'you' ? `${released()}. ${S.stick_back}` : '');
+  dialogs.note(heldUp() && store.status.lease === 'you' ? `${released()}. ${stickBack()}` : '');
   showStick();
   showNotes();
   $('end-run').hidden = !(store.abortAt !== null && store.status.phase === 'flying' && store.status.lease === 'you' && !store.verdict);

@@ -129,7 +129,7 @@ export class Panels {
 
   showLink(run, frame, measured, rungs, now) {
     dial($('dial'), run, frame.round_trip, measured?.transit);
-    linkCounts(frame, measured, run.step_s);
+    linkCounts(frame, measured, run.step_s, now);
     ladder($('ladder'), run, this.display.commands.axes, rungs, now);
     say($('ladder-counts'), counts(rungs));
   }

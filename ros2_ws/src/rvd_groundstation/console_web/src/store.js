@@ -80,16 +80,19 @@ export class Store {
   // Whether a run is being flown, as far as this page knows.
   get inFlight() { return this.frame !== null && !this.verdict && this.status.phase === 'flying'; }
 
-  // Simulated seconds now: frames come per step, the page counts on between them.
+  // Simulated seconds now: frames come per step, the page counts on between them. Where the ground does not keep up
+  // with what comes down, that tells how late it is.
   now() {
     if (!this.frame) return 0;
-    if (this.frame.paused || !this.inFlight) return this.frame.t;
-    return this.frame.t + Math.min(this.sinceFrame(), this.run.step_s);
+    const t = Math.max(this.frame.t, this.measured?.received ?? 0);
+    if (this.frame.paused || !this.inFlight) return t;
+    return t + Math.min(this.sinceFrame(), this.run.step_s);
   }
 
   // The same by this page's own clock, which goes on where frames do not: for the age of what is shown.
   clock() {
-    return this.frame && this.dead() && this.inFlight && !this.frame.paused ? this.frame.t + this.sinceFrame() : this.now();
+    const late = this.frame && this.dead() && this.inFlight && !this.frame.paused;
+    return this.now() + (late ? Math.max(this.sinceFrame() - this.run.step_s, 0) : 0);
   }
 
   sinceFrame() {
