@@ -38,12 +38,26 @@ FAULTS = """(() => {
     if (e.classList.contains('panel') && e.scrollHeight > e.clientHeight + 2)
       faults.push(`${name(e)} is cut off by ${e.scrollHeight - e.clientHeight}`);
   }
+  for (const e of all('#alarms > *')) {
+    const shownWhole = getComputedStyle(e).overflow === 'visible' && e.clientWidth > 0;
+    if (shownWhole && e.scrollWidth > e.clientWidth + 1)
+      faults.push(`${name(e)} runs out of its box`);
+  }
   if (document.documentElement.scrollWidth > innerWidth + 1) faults.push('sideways overflow');
   for (const e of all('#view, #camera, #section, #charts > div')) {
     const r = e.getBoundingClientRect();
     if (r.height < 55 || r.width < 60) faults.push(`${name(e)} is ${r.width} by ${r.height}`);
   }
   return faults;
+})()"""
+# An alarm with as many words as there are.
+CALLING = """(() => {
+  rvd.alarms.look = () => {};
+  document.getElementById('alarms').className = 'warning';
+  for (const [id, words] of [['words', 'DRIFTING OUT WITHIN THE DELAY'],
+    ['detail', 'nobody flies: neither a valid stick nor a valid automatic command'],
+    ['more', 'TOO FAST SIDEWAYS · NEAR THE WALL · TELEMETRY LOST · NOBODY HOLDS THE STICK']])
+    document.getElementById(`alarm-${id}`).textContent = words;
 })()"""
 ABORT = """(() => {
   const r = document.getElementById('abort').getBoundingClientRect();
@@ -99,6 +113,10 @@ def test_nothing_overlaps_and_abort_is_on_screen(browser, placed, width, height,
                             'Boolean(rvd.store.measured && rvd.store.predicted)')
     assert page.evaluate(FAULTS) == []
     assert page.evaluate(ABORT)
+    before = page.evaluate('document.querySelector("#centre").getBoundingClientRect().top')
+    page.evaluate(CALLING)
+    assert page.evaluate(FAULTS) == []
+    assert page.evaluate('document.querySelector("#centre").getBoundingClientRect().top') == before
     page.evaluate('scrollTo(0, document.documentElement.scrollHeight)')
     page.wait_for_timeout(200)
     assert page.evaluate(ABORT)
