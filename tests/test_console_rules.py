@@ -88,9 +88,11 @@ const run = { pace: 1, step_s: 0.1, back_s: 5, operator: 'console' };
 const words = { telemetry: 'T', pilot: 'P', nobody: 'N' };
 const facts = { run, frame: { t: 20 }, measured: { t: 15 }, silence: 0, connected: true,
   pilotLost: false, flies: decided('shared', 1, 0) };
-made = given.rows.map(({ command, ...row }) => ofPage(
-  { ...facts, ...row, ...(command && { flies: decided(...command) }) }, words).filter(({ on }) => on)
-  .map((one) => one.words).join(''));
+made = given.rows.map(({ command, ...row }) => {
+  const flies = command && { flies: decided(...command) };
+  return ofPage({ ...facts, ...row, ...flies }, words)
+    .filter(({ on }) => on).map((one) => one.words).join('');
+});
 """
 
 

@@ -3,9 +3,8 @@ Who may talk to the console: token, Host, Origin, and how often.
 
 Host is checked against DNS rebinding, Origin against pages of other sites that open sockets
 here, the tokens against everybody else on this machine: the pilot's, and the watchers', which
-only lets look. These come first, and who fails them
-takes nothing from who does not: `Throttle` refuses, `Pace` lets wait. No clock of its own:
-instants are given [s].
+only lets look. These come first, and who fails them takes nothing from who does not: `Throttle`
+refuses, `Pace` lets wait. No clock of its own: instants are given [s].
 """
 
 import hmac
