@@ -65,14 +65,15 @@ def load(runs: Path, name: str) -> str:
     for file in files:
         content = MessageFile(file)
         try:
-            with np.errstate(all='ignore'):     # a damaged bag holds numbers that no run has
+            with np.errstate(all='ignore'):     # as below
                 for stored in content:
                     replay.take(stored)
         except OSError as error:
             replay.damaged(f'{file.name} cannot be read: {error.strerror or error}')
         for sentence in in_words(content):
             replay.damaged(sentence)
-    return encode(replay.content())
+    with np.errstate(all='ignore'):             # a damaged bag holds numbers that no run has
+        return encode(replay.content())
 
 
 class _NoScenario(BadInput):

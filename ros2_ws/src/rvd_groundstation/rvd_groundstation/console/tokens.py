@@ -18,6 +18,7 @@ import tempfile
 import time
 from typing import NamedTuple
 
+from rvd_dynamics.given import json_in
 from rvd_groundstation.console.access import new_token
 
 KEEP_S = 12 * 3600.0            # [s] wall time
@@ -87,7 +88,7 @@ def _kept(file: Path) -> Tokens | None:
         if not (stat.S_ISREG(about.st_mode) and _private(about) and fresh):
             return None
         try:
-            said = json.loads(opened.read(MOST_BYTES))
+            said = json_in(opened.read(MOST_BYTES).decode(), file.name)
             made = Tokens(said['fly'], said['watch'])
         except (ValueError, KeyError, TypeError):
             return None
