@@ -10,7 +10,7 @@ from runs import end, in_flight, messages, node_pid, start_rvd, verdict_of
 
 from rvd_dynamics.commands.codes import KIND_ABORT
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.patient]
 SCENARIO = """
 /**:
   ros__parameters: {pace: realtime, pace_factor: 20.0, step_s: 0.5, timeout_s: 200.0, processes: %s}

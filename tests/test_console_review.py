@@ -13,7 +13,7 @@ from review_page import (
 from runs import messages, rvd, verdict_of, wait_for
 from toy_console import ToyConsole, WaitingConsole
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.patient]
 
 
 @pytest.fixture(scope='module')

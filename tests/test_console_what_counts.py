@@ -12,7 +12,7 @@ import pytest
 from console_page import Console, open_page, take_and_start, until
 from runs import messages, rvd, verdict_of, wait_for
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.patient]
 SESSION = """
 title: A session of one flight
 seed: 3

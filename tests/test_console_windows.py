@@ -5,7 +5,7 @@ from console_page import open_page, until
 from placed_console import PlacedConsole, WaitingFor
 from toy_console import ToyConsole
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.patient]
 DESK = [(1280, 720, 1), (1024, 640, 1), (1920, 1080, 1)]
 SMALL = [(640, 360, 2), (820, 1180, 1), (390, 844, 3)]          # 200 % zoom, tablet, phone
 WAITING = {
