@@ -16,8 +16,9 @@ from rvd_campaign.campaign.spec import load_campaign
 from rvd_dynamics.diagram.in_process import fly
 from rvd_dynamics.geometry import cone
 from rvd_dynamics.recording.drawing import BLUE, canvas, DASHED, GREEN, INK, ORANGE, png
+from rvd_dynamics.recording.worded import worded
 from rvd_missions.lunar_approach.cluttered import draw
-from rvd_missions.lunar_approach.figures import draw_obstacles
+from rvd_missions.lunar_approach.figures import draw_obstacles, upwards
 from rvd_missions.lunar_approach.signals import TRUTH
 
 IMAGES = Path(__file__).resolve().parents[1] / 'docs' / 'images'
@@ -46,13 +47,14 @@ def tracks(campaign: object) -> object:
         for sign in (1.0, -1.0):
             axes.plot(x, sign*cone.radius(x, scenario.part('cone')), color=INK, linestyle=DASHED)
         draw_obstacles(axes, scenario, lateral, RUN)
-        axes.set(ylabel=f'{"xyz"[lateral]} [m]', xlim=(-30.3, 0.6), ylim=(-1.9, 1.9))
+        axes.set(ylabel=f'{"xyz"[lateral]} [m]', xlim=(-30.3, 0.6),
+                 ylim=upwards(lateral, 1.9))
     for name, colour in FLOWN.items():
         flown = fly(shown[name], [RUN], record=[TRUTH.name])
         state = flown.history[TRUTH.name].state[:flown.end_step[0] + 1, 0]
         for axes, lateral in zip(panels, (1, 2)):
             axes.plot(state[:, 0], state[:, lateral], color=colour, linewidth=1.4,
-                      label=f'{name.partition(",")[0]}: {flown.verdict.reason[0]}')
+                      label=f'{worded(name.partition(",")[0])}: {flown.verdict.reason[0]}')
             axes.plot(state[-1, 0], state[-1, lateral], 'o', color=colour, markersize=5)
     panels[1].set_xlabel('x, along track [m]')
     panels[0].legend(ncols=2, loc='lower left', bbox_to_anchor=(0.0, 1.0), frameon=False)

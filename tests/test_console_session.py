@@ -33,6 +33,7 @@ def rate(page, look) -> None:
     page.click('[data-rating="5"]')
     page.wait_for_selector('[data-tlx]')
     look()
+    assert len(page.query_selector_all('.unset')) == 6 and page.is_disabled('#desk-go')
     for scale in page.query_selector_all('[data-tlx]'):
         scale.focus()
         page.keyboard.press('ArrowRight')
@@ -42,6 +43,13 @@ def rate(page, look) -> None:
         if pair == 1:
             look()
         page.keyboard.press('Enter')            # the first of the two has the focus
+    until(page, "document.querySelector('[data-pair]') !== null")
+    look()
+    assert len(page.query_selector_all('[data-pair]')) == 15
+    page.click('[data-pair="6"]')               # one of them is changed, the others stay
+    until(page, "document.querySelector('#dialog h3').textContent.includes('7 of 15')")
+    page.click('[data-scale][aria-pressed=false]')
+    page.click('#desk-go')
 
 
 def test_a_volunteer_is_led_through_a_session_and_the_report_counts_it(

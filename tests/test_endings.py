@@ -308,14 +308,15 @@ def test_a_node_that_fails_when_the_bag_has_the_verdict_takes_nothing_with_it(
     flight = object.__new__(fly.Flight)
     flight._scenario = parse('{}', 'plain')
     flight._headless, flight._on_line, flight._stop_asked = True, False, lambda: False
-    flight._run_dir = tmp_path
+    flight._run_dir, flight._progress = tmp_path, lambda words: None
+    flight._starting = SimpleNamespace(progress=lambda ready: '')
     flight._roster = SimpleNamespace(diagram=SimpleNamespace(externals=()), processes=())
     flight._supervisor = SimpleNamespace(pids={'world': 1}, codes={'world': 1}, ended=True,
                                          failures=lambda: {'world': 1}, left=dict, ended_by=str,
                                          pulse=SimpleNamespace(final=9))
     flight._vigil = SimpleNamespace(look=list)
     flight._watch = SimpleNamespace(spin=lambda s: None, new_events=list, steps=0, verdict=None,
-                                    strangers=[])
+                                    strangers=[], ready=())
     monkeypatch.setattr(flight, '_outcome', lambda: (SimpleNamespace(final=final), {}))
     monkeypatch.setattr(flight, '_why', lambda failures: f'{failures}')
     assert flight._follow() == (None if final else "{'world': 1}")

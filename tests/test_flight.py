@@ -39,7 +39,7 @@ def test_verdict_has_every_field_and_links_that_balance(flight, rough_flight):
         verdict = verdict_of(flown.run)
         assert list(verdict) == ['success', 'reason', 'mission', 'scenario', 'mode', 'operator',
                                  'seed', 'run', 'duration_s', 'measures', 'link', 'recording',
-                                 'trusted', 'doubts', 'bag_agrees', 'bag_says', 'silences']
+                                 'trusted', 'doubts', 'bag_agrees', 'bag_says', 'silences', 'flown']
         assert verdict['trusted'] and verdict['bag_agrees'] is True and verdict['doubts'] == []
         assert list(verdict['measures']) == list(
             fly(scenario_of(flown.run), [verdict['run']]).verdict.values)

@@ -140,7 +140,7 @@ def test_an_abort_makes_the_guard_retreat_in_its_form(one_axis):
     for row in range(2):
         away = np.flatnonzero(thrust[:, row, 0] == form.retreat[0])
         assert len(away) == burn and 50 < away[0] <= 50 + legs.forward
-    assert set(flown.verdict.reason) == {'timeout'}
+    assert set(flown.verdict.reason) == {'aborted'}
 
 
 def test_its_chance_is_keyed_by_the_name_of_the_purpose(one_axis):

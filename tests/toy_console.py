@@ -7,6 +7,8 @@ it as the console's node would.
 """
 
 import asyncio
+from collections.abc import Iterator
+from contextlib import contextmanager
 import math
 from pathlib import Path
 import threading
@@ -84,9 +86,13 @@ VERDICT = {'success': True, 'reason': 'arrived', 'words': 'arrived at the buffer
 class ToyConsole:
     """The page of the cart, served by a thread; `url` is what to open."""
 
+    stands = False                          # makes no step
+    port = 0                                # any free one
+    decision: dict = {}                     # parts of each command sent, in the place of its own
+
     def __init__(self, runs: Path | None = None) -> None:
         self._runs = runs
-        self.hub, self.sticks, self.provider = self.hub_of(), [], ToyDisplay()
+        self.hub, self.sticks, self.provider = self.hub_of(), [], self.provider_of()
         self.answers, self.asked = True, []
         self.kind = KIND_THRUST             # of the commands sent; telemetry falls silent at others
         self._loop = asyncio.new_event_loop()
@@ -99,12 +105,16 @@ class ToyConsole:
     def hub_of(self) -> Hub:
         return Hub()
 
+    def provider_of(self) -> MissionDisplay:
+        return ToyDisplay()
+
     def _run(self, up: threading.Event) -> None:
         self._loop.run_until_complete(self._serve(up))
 
     async def _serve(self, up: threading.Event) -> None:
-        server = Server(self.hub, Address(port=0), self._runs)
+        server = Server(self.hub, Address(port=self.port), self._runs)
         self.url = await server.start()
+        self.watch_url = server.access.watch_url
         flying = asyncio.create_task(self._fly())
         up.set()
         await self._over.wait()
@@ -114,10 +124,12 @@ class ToyConsole:
     async def _fly(self) -> None:
         self.hub.begin('cart', self.provider, self)
         for step in range(100_000):
+            while self.stands:
+                await asyncio.sleep(STEP_S)
             sent = command(step)
             if step >= BACK_STEPS and self.kind == KIND_THRUST:
                 self.hub.post('telemetry', telemetry(step))
-            sent.parts['kind'] = self.kind
+            sent.parts |= {'kind': self.kind, **self.decision}
             self.hub.post('command', sent)
             await asyncio.sleep(STEP_S)
 
@@ -139,13 +151,23 @@ class ToyConsole:
 
     # -- from the test ------------------------------------------------------------------------
 
+    @contextmanager
+    def silent(self) -> Iterator[None]:
+        """Let the server say and hear nothing, with all its connections open."""
+        go_on = threading.Event()
+        self._loop.call_soon_threadsafe(go_on.wait)
+        try:
+            yield
+        finally:
+            go_on.set()
+
     def finish(self) -> None:
         """Let the run end with its verdict."""
         self.hub.post('final', VERDICT)
 
     def cut(self) -> None:
         """Let the connection of each page break."""
-        for client in list(self.hub.clients):
+        for client in list(self.hub.pages.clients):
             self._loop.call_soon_threadsafe(client.cut)
 
     def close(self) -> None:

@@ -103,7 +103,7 @@ def test_the_page_has_a_column_for_each_measure_and_reason(made):
 def test_the_page_of_a_run_has_a_row_for_each_measure(tmp_path):
     bag = read(small_run.write_run(tmp_path))
     html = run_report.page(replace(bag, verdict=judgement(Judge, flight().verdict, 1)))
-    assert 'Failed after 9.0 s: pointed elsewhere' in html
+    assert 'Failed: pointed elsewhere; the run ended after 9.0 s' in html
     assert ('<td>pointing &lt;miss&gt;</td><td>0.20 rad</td><td>below 0.1 rad</td>'
             '<td><span class="meter"><span style="width:100%" class="bad"></span></span></td>'
             '<td>\u2717</td>') in html

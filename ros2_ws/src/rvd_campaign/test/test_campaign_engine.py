@@ -354,18 +354,23 @@ def test_of_the_missions_beside_it_those_that_a_mission_names_count(tmp_path, mo
             '__init__', 'mine/__init__', 'mine/diagram', 'named/__init__', 'named/laws')}
 
 
-def test_figures_that_the_loop_uses_count_after_all(tmp_path, monkeypatch):
+@pytest.mark.parametrize('line, counts', {
+    'from odd_mission.figures import SCALE': True, 'from odd_mission import figures': True,
+    'import odd_mission.figures': True, 'from .figures import SCALE': True,
+    'from . import figures': True, 'from another.figures import SCALE': False}.items())
+def test_figures_that_the_loop_uses_count_after_all(line, counts, tmp_path, monkeypatch):
     monkeypatch.syspath_prepend(tmp_path)
     package = tmp_path / 'odd_mission'
     package.mkdir()
     for name in ('__init__', 'figures', 'display'):
         (package / f'{name}.py').write_text('')
-    (package / 'diagram.py').write_text('from odd_mission.figures import SCALE\n')
+    (package / 'diagram.py').write_text(f'{line}\n')
     odd = replace(parse_campaign(TEXT, 'small').mission, name='odd',
                   diagram='odd_mission.diagram:diagram', figures='odd_mission.figures:FIGURES',
                   display='odd_mission.display:display')
     assert {name for name, _ in software.sources(odd) if name.startswith('odd_')} == {
-        'odd_mission/__init__.py', 'odd_mission/diagram.py', 'odd_mission/figures.py'}
+        'odd_mission/__init__.py', 'odd_mission/diagram.py',
+        *(['odd_mission/figures.py'] if counts else [])}
 
 
 def test_conditions_share_draws_only_where_they_are_the_same():

@@ -8,6 +8,7 @@ import json
 from random import Random
 import re
 import shutil
+from unittest import mock
 import xml.etree.ElementTree
 
 import matplotlib
@@ -113,6 +114,44 @@ def test_what_was_fitted_is_said_beside_the_table(html):
     assert 'does not prove it' in html and 'a note &amp; more' in html
 
 
+def test_conditions_are_named_in_words_and_their_names_stand_once(html):
+    shown, names = html.split('<summary>Names of the conditions', 1)
+    assert 'manual, loop delay 10 s' in shown and 'shared, loop delay 4 s' in shown
+    first = '--condition "manual,loop_delay_s=4"'
+    assert first in shown and 'loop_delay_s=' not in shown.replace(first, '')
+    assert '<td>manual, loop delay 10 s</td><td>manual,loop_delay_s=10</td>' in names
+
+
+@pytest.mark.parametrize('rows, first', [(report.SHORT - 1, '<table'), (report.SHORT, '<svg')])
+def test_figures_come_before_a_long_table(made, rows, first):
+    one = made.summary['conditions'][0]         # and a reference makes one row more
+    summary = {**made.summary, 'conditions': [{**one, 'name': f'c {i}'} for i in range(rows)],
+               'differences': [], 'fitted': {}, 'replicates': None}
+    figure = {'success': FIGURES['success']}
+    with mock.patch.object(report, 'shown_by', lambda campaign: figure):
+        html = page(Results(made.campaign, summary, made.tables))
+    assert html.count('<table') > 1
+    assert min(('<table', '<svg'), key=html.index) == first
+
+
+def test_every_figure_has_a_text_for_those_who_do_not_see_it(html):
+    texts = re.findall(r'<svg [^>]*aria-label="([^"]{40,})"', html)
+    assert len(texts) == html.count('<svg')
+    assert any('manual, loop delay 10 s' in text for text in texts)
+
+
+def test_what_is_seen_along_the_flight_has_z_to_the_right_and_y_up_as_the_console(made):
+    figure, _ = FIGURES['landing'].draw(made)
+    assert [figure.axes[0].get_xlabel()[0], figure.axes[0].get_ylabel()[0]] == ['z', 'y']
+    table = made.tables[made.shown[0].name]
+    good = table['success']
+    dots = figure.axes[0].lines[0].get_xydata()
+    np.testing.assert_array_equal(dots, np.stack([table['z_m'][good], table['y_m'][good]], axis=1))
+    figure, _ = FIGURES['tracks'].draw(made)
+    side, top = (axes.get_ylim() for axes in figure.axes[:2])
+    assert side[0] < side[1] and top[0] > top[1]
+
+
 def test_words_of_people_are_escaped(html):
     assert 'Two &lt;conditions&gt; &amp; a grid' in html
 
@@ -171,7 +210,7 @@ def test_figures_hold_the_runs_they_say(made):
         shown = axes.lines[0].get_xydata()
         table = made.tables[made.campaign.conditions[0].name]
         good = table['success']
-        np.testing.assert_array_equal(shown, np.column_stack([table['y_m'], table['z_m']])[good])
+        np.testing.assert_array_equal(shown, np.column_stack([table['z_m'], table['y_m']])[good])
         assert (np.hypot(*shown.T) < 0.3).all()
         figure, _ = FIGURES['curve'].draw(made)
         np.testing.assert_allclose(

@@ -9,7 +9,7 @@ from math import comb, nan
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
-from scipy.stats import binom, norm
+from scipy.stats import binom, binomtest, norm
 
 from rvd_campaign.campaign import stats
 from rvd_campaign.campaign.stats import Paired
@@ -114,3 +114,31 @@ def test_sign_test_counts_the_coin_tosses_that_are_as_uneven_or_more(only):
 def test_mean_leaves_out_what_is_unknown():
     assert_allclose(stats.mean([1.0, nan, 3.0]), (2.0, 1.0))
     assert np.isnan(stats.mean([nan])).all()
+
+
+# -- of people, whose flights come in clusters -----------------------------------------------------
+
+def test_of_many_clusters_that_are_all_alike_the_exact_interval_is_left():
+    found = stats.clustered([(4, 5)] * 400)
+    exact = binomtest(1600, 2000).proportion_ci(0.95, 'exact')
+    assert_allclose(found, exact, atol=2e-4)
+
+
+def test_a_single_cluster_says_nothing_of_others_and_two_say_little():
+    assert stats.clustered([(7, 10)]) is None
+    low, high = stats.clustered([(10, 10), (9, 10)])
+    assert low < 0.2 and high > 0.999
+    assert stats.clustered([(10, 10)] * 3).high == 1.0 and stats.clustered([(0, 9)] * 3).low == 0.0
+
+
+@pytest.mark.parametrize('people', [3, 6, 12])
+def test_it_covers_the_rate_of_the_population_where_wilson_does_not(people):
+    rng, flights, rate = np.random.default_rng(5), 10, 2.0/3.0
+    own = rng.beta(4.0*rate, 4.0*(1.0 - rate), (1500, people))      # people differ
+    made = rng.binomial(flights, own)
+    covered = [low <= rate <= high for low, high in (
+        stats.clustered([(int(s), flights) for s in row]) for row in made)]
+    pooled = [low <= rate <= high for low, high in (
+        stats.wilson(int(total), people*flights) for total in made.sum(axis=1))]
+    assert np.mean(covered) > 0.94
+    assert np.mean(pooled) < 0.85

@@ -18,11 +18,13 @@ from rvd_dynamics.diagram import in_process
 from rvd_dynamics.diagram.block import Block, now, WATCH
 from rvd_dynamics.diagram.control import Change
 from rvd_dynamics.diagram.diagram import Diagram
+from rvd_dynamics.diagram.display import Flat
 from rvd_dynamics.diagram.scenario import parse
 from rvd_dynamics.diagram.signal import Part, Signal
 from rvd_dynamics.recording.drawing import png, svg
 from rvd_dynamics.recording.history import everything, of_history
 from rvd_dynamics.recording.reader import read
+from rvd_groundstation.console.provider import display_of
 from rvd_missions.lunar_approach.diagram import diagram as lunar_diagram
 from rvd_missions.lunar_approach.figures import FIGURES, prediction_error
 from rvd_missions.lunar_approach.signals import TRUTH
@@ -72,6 +74,31 @@ def test_drawing_has_no_colour_of_its_own_and_its_text_is_text(recording, name):
     assert not re.search(r'#[0-9a-f]{6}', drawing)
     assert '[s]' in drawing or '[m]' in drawing
     assert drawing.count('<text') > 10
+
+
+@pytest.mark.parametrize('name', ALL)
+def test_every_figure_has_a_text_for_those_who_do_not_see_it(recording, name):
+    drawing = svg(name, lambda: ALL[name].draw(recording))
+    text = re.match(r'<svg viewBox="[^"]*" role="img" aria-label="([^"]*)">', drawing)[1]
+    assert text.count('Panel ') >= 2 and ' from ' in text and '[' in text
+
+
+def test_views_are_those_of_the_console(bag):
+    side, top, end = FIGURES['approach'].draw(bag).axes
+    shown = display_of(bag.scenario).display
+    console = {view.label: view for view in shown.views if isinstance(view, Flat)}
+    for axes, name in ((side, 'Side'), (top, 'Top')):
+        view = console[name]
+        assert axes.get_title().startswith(name)
+        assert axes.get_ylabel()[0] == view.up[1]
+        assert axes.yaxis_inverted() == (view.up[0] == '-')
+        assert view.right == '+x' and not axes.xaxis_inverted()
+    section = shown.section
+    assert ['+' + end.get_xlabel()[0], '+' + end.get_ylabel()[0]] == [section.right, section.up]
+    state = bag.of(TRUTH).state
+    near = state[state[:, 0] > -2.0]
+    assert len(near) > 4 and not end.xaxis_inverted() and not end.yaxis_inverted()
+    assert_array_equal(end.lines[0].get_xydata(), near[:, [2, 1]])
 
 
 def test_every_figure_is_drawn_of_either(recording):
@@ -219,7 +246,7 @@ def test_the_stick_of_a_tape_is_recorded_as_the_tape_has_it(tmp_path):
 def test_a_report_can_be_made_of_a_history(history):
     html = page(history)
     assert html.count('<svg') == len(ALL) and 'class="warning"' not in html
-    assert 'Failed after 40.0 s: did not reach the docking plane in time' in html
+    assert 'Failed: did not reach the docking plane in time; the run ended after 40.0 s' in html
     assert 'pilot and automatic' in html and 'Steps without a command' not in html
 
 

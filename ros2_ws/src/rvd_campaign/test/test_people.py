@@ -6,6 +6,7 @@ import json
 import pytest
 
 from rvd_dynamics.bad_input import BadInput
+from rvd_campaign.report import people_figures
 from rvd_campaign.report.people import conditions, pairs, read_flights, write_session_report
 
 
@@ -57,6 +58,36 @@ def test_means_are_over_successes_as_in_the_paper(session):
     assert manual.tlx == (60.0, pytest.approx(200.0 ** 0.5))
 
 
+def break_into(session, run, why):
+    """Let a flight have no rating but a reason, as the desk leaves one that does not count."""
+    file = session / run / 'ratings.json'
+    file.write_text(json.dumps({**json.loads(file.read_text()), 'counted': False, 'why': why,
+                                'cooper_harper': None, 'tlx': None}))
+
+
+def test_a_flight_whose_condition_was_broken_is_left_out_and_named(session):
+    before = conditions(read_flights(session)[0], ['manual'])[0]
+    break_into(session, 'P01/03-manual', 'the mode was changed: 88 % of the steps in mode auto')
+    flights, left_out = read_flights(session)
+    assert len(flights) == 4 and left_out == 1
+    manual = conditions(flights, ['manual'])[0]
+    assert (before.flights, before.successes) == (2, 1) and (manual.flights, manual.successes) == (
+        1, 1)
+    page = ' '.join(write_session_report(session).read_text().split())
+    assert '<td>P01</td><td>3</td><td>manual control</td><td>the mode was changed: 88 %' in page
+    assert '1 not counted' in page
+    with (session / 'flights.csv').open() as file:
+        rows = {row['number']: row for row in csv.DictReader(file)}
+    assert [rows[n]['counted'] for n in '12345'] == ['False', 'True', 'False', 'True', 'True']
+    assert rows['3']['why'].startswith('the mode') and rows['3']['cooper_harper'] == ''
+    assert rows['3']['offset_m'] == '0.9' and rows['2']['why'] == ''
+
+
+def test_a_session_in_which_all_counts_says_nothing_of_the_rest(session):
+    page = write_session_report(session).read_text()
+    assert '<h2>Not counted</h2>' not in page and '0 not counted' in page
+
+
 def test_workload_is_weighted_where_the_pairs_were_asked(session):
     scales = {'mental': 80, 'physical': 20, 'temporal': 0, 'performance': 0, 'effort': 50,
               'frustration': 0}
@@ -78,7 +109,7 @@ def test_flights_are_paired_by_volunteer_and_seed(session):
 
 def test_the_report_and_every_flight_are_written(session):
     page = write_session_report(session).read_text()
-    assert 'A &lt;session&gt;' in page and 'only shared 1' in page
+    assert 'A &lt;session&gt;' in page and 'only shared control 1' in page.replace('\n', ' ')
     with (session / 'flights.csv').open() as file:
         rows = list(csv.DictReader(file))
     assert [row['number'] for row in rows] == ['1', '2', '3', '4', '5']
@@ -106,7 +137,69 @@ def test_flights_of_a_version_without_measures_are_still_reported(session):
         old = json.loads(file.read_text())
         del old['measures']
         file.write_text(json.dumps({**old, 'terminal': {'offset_m': 0.1}}))
-    assert '<td>manual</td><td>2</td>' in write_session_report(session).read_text()
+    assert '<td>manual control</td><td>2</td>' in write_session_report(session).read_text()
+
+
+def test_conditions_are_named_in_words_and_figures_come_before_the_table(session):
+    file = session / 'session.json'
+    file.write_text(json.dumps({'title': 't', 'conditions': {
+        'manual': 'manual', 'shared': 'shared', 'late_auto': 'auto', 'automatic': 'auto'}}))
+    flight(session, 'P03', 1, 'late_auto', True)
+    flight(session, 'P03', 2, 'automatic', True)
+    page = write_session_report(session).read_text()
+    for words in ('manual control', 'shared control', 'late auto (automatic control)',
+                  'automatic control'):
+        assert f'<td>{words}</td>' in page and f'{words} <b>' in page
+    assert 'late_auto' not in page
+    for title in ('Success', 'Ratings', 'Learning'):
+        assert page.index(f'<h2>{title}</h2>') < page.index('<table')
+
+
+def test_of_one_volunteer_no_interval_is_claimed_and_of_two_a_wide_one(session):
+    alone, _ = conditions(read_flights(session)[0], ['manual', 'shared'])
+    assert alone.interval is None
+    flight(session, 'P03', 1, 'manual', True)
+    flight(session, 'P03', 2, 'manual', True)
+    two, _ = conditions(read_flights(session)[0], ['manual', 'shared'])
+    assert two.interval.low < 0.05 and two.interval.high > 0.95
+
+
+def points(figure, panel, marker):
+    return [(line.get_xdata()[0], line.get_ydata()[0]) for line in figure.axes[panel].lines
+            if line.get_marker() == marker and len(line.get_xdata()) == 1]
+
+
+def test_the_figure_of_success_has_each_condition_and_each_volunteer(session):
+    flight(session, 'P03', 1, 'manual', False)
+    flights, _ = read_flights(session)
+    figure = people_figures.success(flights, {'manual': 'by hand', 'shared': 'together'})
+    rows = [label.get_text() for label in figure.axes[0].get_yticklabels()]
+    assert rows == ['by hand', 'P01', 'P03', 'together', 'P01']
+    assert points(figure, 0, 'o') == [(pytest.approx(1/3), 0.0), (0.5, 1.0), (0.0, 2.0)]
+    assert [x for x, _ in points(figure, 0, 's')] == [1.0, 1.0]
+    low = [line.get_xdata() for line in figure.axes[0].lines if line.get_linewidth() == 3.0]
+    assert len(low) == 1                        # over volunteers: of `manual` alone, which has two
+
+
+def test_the_learning_curve_goes_by_the_number_of_the_flight(session):
+    flights, _ = read_flights(session)
+    figure = people_figures.learning(flights, {'manual': 'by hand', 'shared': 'together'})
+    above, below = figure.axes
+    curves = {line.get_label(): line for line in above.lines if len(line.get_xdata()) > 1}
+    assert list(curves['by hand'].get_ydata()) == [1.0, 1.0, 0.0]         # 1 is training
+    assert curves['together'].get_xdata().round().tolist() == [4, 5]
+    hollow = [line for line in above.lines if line.get_markerfacecolor() == 'none'
+              and len(line.get_xdata()) == 1]
+    assert [round(line.get_xdata()[0]) for line in hollow] == [1]
+    assert list(below.lines[0].get_ydata()) == [40.0, 50.0, 70.0]
+
+
+def test_ratings_are_drawn_by_volunteer_and_condition(session):
+    flights, _ = read_flights(session)
+    figure = people_figures.ratings(flights, {'manual': 'by hand', 'shared': 'together'})
+    assert [x for x, _ in points(figure, 0, 'D')] == [6.0, 3.0]
+    assert [x for x, _ in points(figure, 1, 'D')] == [60.0, 40.0]
+    assert not [line for line in figure.axes[1].lines if line.get_linewidth() == 3.0]
 
 
 def test_a_session_without_a_rated_flight_is_refused(tmp_path):

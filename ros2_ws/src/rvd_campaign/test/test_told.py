@@ -89,3 +89,15 @@ def test_of_a_second_writer_the_name_is_said_by_whomever_it_was_seen():
     other = f'a second writer on /run/end: {NAMELESS}'
     assert once([nameless, named, other, named]) == [named, other]
     assert once([nameless, nameless]) == [nameless]
+
+
+@pytest.mark.parametrize('reason, words', [
+    ('interrupted', 'No verdict: ended from the console after'),
+    ('aborted', 'No verdict: aborted, and ended from the console after')])
+def test_a_flight_that_was_ended_from_the_console_says_so(tmp_path, reason, words):
+    run = cut_off(tmp_path / 'run')
+    assert 'No verdict: the recording ends before the run does' in report_of(run)
+    told(run, reason=reason, ended_by=verdict.STOPPED)
+    assert words in report_of(run)
+    told(run, reason=reason, ended_by=7)        # not ours
+    assert 'No verdict: the recording ends before the run does' in report_of(run)

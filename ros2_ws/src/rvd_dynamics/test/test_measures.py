@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from rvd_dynamics.diagram.judge import (
-    as_dict, bare_name, for_page, from_message, in_words, judgement, Measure, table_columns,
-    Verdict)
+    as_dict, bare_name, for_page, from_message, in_words, Judgement, judgement, Measure,
+    table_columns, Verdict)
 from rvd_dynamics.diagram.ros.conversions import header_at, verdict_to_msg
 
 
@@ -69,9 +69,28 @@ def test_the_verdict_in_words():
         '  where it ended  1.5 km     (between 1 and 2 km)',
         '  sum of all      3.00 km^2']
     assert in_words(judged(0.0, 0.0, 0.0, 2.0)).splitlines()[:2] == [
-        'failed after 1.5 s: came elsewhere',
+        'failed: came elsewhere; the run ended after 1.5 s',
         '  where it ended  2.0 km     (NOT between 1 and 2 km)']
     assert 'where it ended' not in in_words(judged(0.0, 0.5))
+
+
+@pytest.mark.parametrize('happened, said', [
+    (1.25, 'failed: came elsewhere at 1.2 s; the run ended after 9.0 s'),
+    (np.nan, 'failed: came elsewhere; the run ended after 9.0 s'),
+    (None, 'failed: came elsewhere; the run ended after 9.0 s')])
+def test_the_headline_gives_the_time_of_what_it_names_and_not_that_of_the_end(happened, said):
+    values = {'end_km': np.full(2, 3.0), 'sum_km2': np.zeros(2)}
+    both = None if happened is None else np.array([happened, np.nan])
+    made = Verdict(np.zeros(2, bool), np.array(['lost']*2), np.full(2, 9.0), values, both)
+    assert judgement(Toy(), made, 0).headline == said
+    assert judgement(Toy(), made, 1).words == 'came elsewhere'
+    assert 'happened' not in table_columns(made)
+    under_way = made._replace(reason=np.array(['', '']))
+    assert judgement(Toy(), under_way, 0).words == ''
+
+
+def test_a_flight_without_any_time_has_none_in_its_headline():
+    assert Judgement(False, 'x', 'given up', np.nan, ()).headline == 'failed: given up'
 
 
 def test_there_and_back_through_a_message_nothing_changes():

@@ -367,7 +367,7 @@ def test_a_bad_frame_closes_its_page_alone_and_is_counted(name, printed):
                             + house.server.access.token) + UPGRADE.encode() + b'\r\n'
             answer = await say(house, shake + FRAMES[name])
             assert answer.startswith(b'HTTP/1.1 101')
-            assert len(house.hub.clients) == 1
+            assert len(house.hub.pages.clients) == 1
             assert (await ask(pilot, do='take'))['ok']
             assert house.server.door.refused == {door.BAD_FRAME: 1}
     run(work())
@@ -390,7 +390,7 @@ def test_a_bad_handshake_is_refused_and_leaves_nobody_in_the_house(lines, printe
                 f'Sec-WebSocket-Protocol: rvd.console.1, token.{house.server.access.token}')
                 + lines.encode('utf-8', 'surrogateescape') + b'\r\n')
             assert answer.startswith(b'HTTP/1.1 400') and is_protected(answer)
-            assert not house.hub.clients and house.server.door.refused == {door.BAD_HTTP: 1}
+            assert not house.hub.pages.clients and house.server.door.refused == {door.BAD_HTTP: 1}
     run(work())
     assert printed() == ''
 

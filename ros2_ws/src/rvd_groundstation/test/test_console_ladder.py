@@ -9,14 +9,14 @@ from rvd_groundstation.console.ladder import Ladder, STATES
 FORWARD, BACK, STEP_S = 4, 3, 0.5
 
 
-def flown(steps, lost=(), refused=(), dark=()):
+def flown(steps, lost=(), refused=(), dark=(), **ladder):
     """
     Fly a ladder against a craft of our own: sequence = step + 1, due FORWARD later.
 
     `lost` and `refused` are sequences that do not get through, `dark` the steps whose downlink
     is lost. As the craft does, each downlink tells why the command of the step before was refused.
     """
-    ladder = Ladder(FORWARD, STEP_S)
+    ladder = Ladder(FORWARD, STEP_S, **ladder)
     accepted, code, downlinks = 0, 0, {}
     for k in range(steps):
         downlinks[k] = (accepted, code)         # of the commands up to k - 1
@@ -119,3 +119,14 @@ def test_changes_come_once_and_a_late_page_gets_all():
 @pytest.mark.parametrize('steps', [5, 700])
 def test_the_ladder_does_not_grow_for_ever(steps):
     assert len(flown(steps).rungs) == min(steps, 600)
+
+
+@pytest.mark.parametrize('archive, rungs', [(None, 20), ([], 90)])
+def test_a_review_has_the_whole_ladder_and_a_flight_the_end_of_it(archive, rungs):
+    ladder = flown(90, keep=20, archive=archive)
+    rows = ladder.whole()
+    assert len(rows) == rungs and rows[-1][0] == 90
+    assert [row[0] for row in rows] == sorted(row[0] for row in rows)
+    assert len(ladder.changes()) == 20          # what a page that comes late is sent
+    if archive is not None:
+        assert {STATES[row[4]] for row in rows[:60]} == {'SEEN'}        # fates, not just names

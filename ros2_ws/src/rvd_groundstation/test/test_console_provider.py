@@ -6,7 +6,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from rvd_dynamics.commands.codes import BY_AUTO, BY_PILOT, KIND_ABORT
+from rvd_dynamics.commands.codes import BY_PILOT, KIND_ABORT
 from rvd_dynamics.diagram.display import (
     as_data, CommandAxis, Commands, Display, Instrument, Instruments, Number, Reading)
 from rvd_dynamics.diagram.scenario import parse
@@ -106,7 +106,7 @@ def test_values_that_are_unknown_or_say_that_they_are_not_valid_say_nothing():
 def test_a_command_as_values_has_what_the_ladder_needs():
     parts = command_of_values(values('command[1], kind', 0.25, KIND_ABORT)).parts
     assert isnan(parts.pop('weight'))
-    assert parts == {'value': [0.25], 'kind': KIND_ABORT, 'by': BY_AUTO, 'reason': 0,
+    assert parts == {'value': [0.25], 'kind': KIND_ABORT, 'by': None, 'reason': 0,
                      'sequence': 8}
     named = values('command[1], kind, decided_by, pilot_weight', 0.25, 0.0, BY_PILOT, 0.5)
     assert command_of_values(named).parts['by'] == BY_PILOT

@@ -102,7 +102,7 @@ def test_w3_wrong_token_origin_and_host_open_no_socket():
                 with pytest.raises(aiohttp.WSServerHandshakeError) as refused:
                     await house.socket(token, **headers)
                 assert refused.value.status == 403
-            assert not house.hub.clients
+            assert not house.hub.pages.clients
     run(work())
 
 
@@ -407,7 +407,7 @@ def test_a_crowd_is_served_in_turns_and_each_page_in_order():
 
 async def a_watcher_that_reads_nothing(house):
     """Return its client in the hub and its end of the connection."""
-    before = set(house.hub.clients)
+    before = set(house.hub.pages.clients)
     _, writer = await asyncio.open_connection('127.0.0.1', house.server.access.port, limit=1)
     writer.write((
         'GET /ws HTTP/1.1\r\nHost: {0}\r\nOrigin: http://{0}\r\nUpgrade: websocket\r\n'
@@ -417,7 +417,7 @@ async def a_watcher_that_reads_nothing(house):
             house.base[7:], house.server.access.token).encode())
     await writer.drain()
     await asyncio.sleep(0.1)
-    return (house.hub.clients - before).pop(), writer
+    return (house.hub.pages.clients - before).pop(), writer
 
 
 def test_a_page_stuck_in_one_message_is_cut_off(monkeypatch):
@@ -427,13 +427,13 @@ def test_a_page_stuck_in_one_message_is_cut_off(monkeypatch):
         async with House() as house:
             client, writer = await a_watcher_that_reads_nothing(house)
             for _ in range(40):
-                house.hub._put(client, 'x' * 900_000, False)
+                house.hub.pages.put(client, 'x' * 900_000, False)
                 await asyncio.sleep(0.02)
                 if client.outbox.bytes:
                     break
             assert client.outbox.bytes and not client.closing    # far from too much, yet stuck
             await asyncio.sleep(0.6)
-            assert client.closing == 'STUCK' and client not in house.hub.clients
+            assert client.closing == 'STUCK' and client not in house.hub.pages.clients
             writer.close()
     run(work())
 
@@ -444,10 +444,10 @@ def test_w2_a_watcher_that_reads_nothing_does_not_hold_up_the_pilot():
             await ask(pilot, do='take')
             watcher, writer = await a_watcher_that_reads_nothing(house)
             for k in range(600):                # 600 messages of 20 kB that it does not read
-                house.hub._put(watcher, 'x' * 20000, False)
+                house.hub.pages.put(watcher, 'x' * 20000, False)
                 if k % 20 == 0:
                     assert (await ask(pilot, do='resume'))['ok']
-            while len(house.hub.clients) > 1:   # and in the end it is cut off
+            while len(house.hub.pages.clients) > 1:   # and in the end it is cut off
                 assert (await ask(pilot, do='resume'))['ok']
                 await asyncio.sleep(0.05)
             writer.close()

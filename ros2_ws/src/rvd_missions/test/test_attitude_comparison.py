@@ -7,6 +7,7 @@ import pytest
 from scipy import stats
 
 from rvd_dynamics.bad_input import BadInput
+from rvd_dynamics.recording.worded import worded
 from rvd_missions.attitude_hold import comparison
 from rvd_missions.attitude_hold.campaign_figures import comparison as drawn, DRAWN
 
@@ -53,8 +54,8 @@ def test_the_figure_draws_every_cell_with_both_laws_and_the_difference():
         **tables(), **tables(-1.0, 'faults=b,world=x1'), **tables(0.0, 'faults=b,world=x5')}))
     left, right = figure.axes[:2]
     assert len(figure.axes) == 2*len(DRAWN)
-    assert [line.get_label() for line in left.lines] == list(comparison.LAWS)
+    assert [line.get_label() for line in left.lines] == [worded(law) for law in comparison.LAWS]
     assert all(len(line.get_xdata()) == 3 for line in left.lines)
     middles = [line.get_ydata()[0] for line in right.lines if line.get_marker() == 'o']
     assert middles == pytest.approx([-1.0, 1.0, 0.0], abs=0.06)
-    assert 'smaller with golden_section in 1 of 3 cells, with pid in 1' in words
+    assert 'smaller with golden section in 1 of 3 cells, with PID in 1' in words

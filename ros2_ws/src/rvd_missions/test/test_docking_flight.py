@@ -46,6 +46,13 @@ def test_a_row_of_a_batch_has_the_bits_of_the_run_alone():
         assert np.array_equal(a[:, 0], b[:, 1])
 
 
+def test_who_strays_did_so_when_the_first_limit_was_broken_and_not_at_the_end():
+    verdict = fly(scenario(3.0), range(2)).verdict          # judged from 0.5 s on, still far away
+    assert list(verdict.reason) == ['strayed']*2
+    assert_allclose(verdict.happened, 0.51)
+    assert_allclose(verdict.duration, 3.0)
+
+
 def test_without_noise_and_thrust_nothing_but_gravity_moves_the_craft():
     """No camera, so no estimate: valves stay shut, and the craft drifts as on its orbit."""
     flown = fly(scenario(10.0, camera='image: {drop_out: 1.0}'), range(1), record=[TRUTH])

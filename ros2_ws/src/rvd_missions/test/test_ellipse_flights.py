@@ -173,6 +173,8 @@ def seen(d, phi_deg, closing=-0.02):
 def test_the_reason_is_the_first_that_holds(name, states, reason):
     verdict = judged(name, states)
     assert verdict.reason == reason and verdict.success == (reason in ('arrived', 'held'))
+    step_s = scenario(name).run.step_s
+    assert_allclose(verdict.happened, 2*step_s if reason == 'drifted' else np.nan)
 
 
 def test_the_corridor_is_that_of_the_last_orbit_counted_on_through_half_a_turn():

@@ -9,6 +9,7 @@ from scipy.interpolate import CubicHermiteSpline
 from scipy.optimize import brentq, minimize_scalar
 
 from rvd_dynamics.commands.levels import acceleration, ThrustParams
+from rvd_dynamics.diagram.judge import judgement
 from rvd_dynamics.diagram.run import Run
 from rvd_dynamics.geometry import cone
 from rvd_dynamics.geometry.cone import Cone
@@ -340,6 +341,9 @@ def test_without_any_control_the_reference_approach_leaves_at_69_seconds():
     assert t == pytest.approx(68.9, abs=0.1) and station(t) == pytest.approx(-12.8, abs=0.05)
     assert v.reason == 'left_corridor' and v.exit_time == pytest.approx(t, abs=1e-7)
     assert_allclose(v.exit_position, [station(t), offset(t), 0.0], atol=1e-8)
+    told = judgement(judge, judge.verdict(final=True))
+    assert told.headline.startswith(f'failed: left the corridor at {t:.1f} s; the run ended after ')
+    assert told.duration > t + 50.0
 
 
 # -- flights ----------------------------------------------------------------------------------

@@ -14,6 +14,7 @@ from rvd_dynamics.commands.levels import LevelForm, stick_levels
 from rvd_dynamics.diagram import streams
 from rvd_dynamics.diagram.control import Change
 from rvd_dynamics.diagram.in_process import draw, fly
+from rvd_dynamics.diagram.judge import aborted
 from rvd_dynamics.diagram.scenario import parse
 from rvd_dynamics.link.channel import Channel
 from rvd_dynamics.link.frame import (
@@ -245,8 +246,10 @@ def require_same_as_by_hand(scenario, run, schedule=()):
             assert name.startswith('pilot') and scenario.part('operation').operator == 'none'
             continue
         assert_array_equal(got[:, 0], np.stack([step[name] for step in steps]), name)
-    alone = verdict_row(graph.judge.verdict())
-    assert len(alone) == 12
+    since = next((k*scenario.run.step_s for k, step in enumerate(steps[:-1])
+                  if step['executed_kind'] == KIND_ABORT), np.nan)
+    alone = verdict_row(aborted(graph.judge.verdict(), since))
+    assert len(alone) == 13
     for key, value in verdict_row(flight.verdict, 0).items():
         assert_array_equal(value, alone[key], key)
     return steps
@@ -318,7 +321,8 @@ def test_a_law_that_looks_at_the_stick_is_told_the_mode_of_its_step(schedule, ca
 def test_an_abort_keeps_the_chaser_from_the_docking_plane():
     """Sixteen seconds of 0.03 m/s^2 away from it undo more than the closing rate of 0.25 m/s."""
     verdict = fly(approach(), range(20), schedule=[Change(100, abort=True)]).verdict
-    assert not verdict.success.any() and set(verdict.reason) <= {'timeout', 'left_corridor'}
+    assert not verdict.success.any() and set(verdict.reason) == {'aborted'}
+    assert np.isnan(verdict.values['x_rate_m_s']).all()     # none was at the plane
 
 
 def test_the_columns_count_what_the_history_shows():

@@ -242,7 +242,7 @@ def test_an_abort_leads_away_from_the_target():
     flown = fly(thrust(MOVING, 'continuous', max_m_s2=0.01).with_values('/**', timeout_s=300.0),
                 [0], record=[TRUTH], schedule=[Change(100, abort=True)])
     state = flown.history[TRUTH].state[:, 0]
-    assert state[120, 3] > state[100, 3] + 0.15 and flown.verdict.reason[0] == 'timeout'
+    assert state[120, 3] > state[100, 3] + 0.15 and flown.verdict.reason[0] == 'aborted'
 
 
 # -- bad input -------------------------------------------------------------------------------------

@@ -178,7 +178,7 @@ EXPECTED = {    # processes, topic: (publishers, subscriptions of other processe
     ('blocks', '/ground/uplink'): (1, 2),               # forward link, recorder
     ('segments', '/ground/uplink'): (1, 2),
     ('one', '/ground/uplink'): (1, 0),
-    ('blocks', '/onboard/thruster_command'): (1, 3),    # dynamics, sensor, recorder
+    ('blocks', '/onboard/thruster_command'): (1, 4),    # dynamics, sensor, recorder, monitor
     ('segments', '/onboard/thruster_command'): (1, 2),
     ('blocks', '/run/end'): (1, 11),                    # all but the dynamics, which write it
     ('segments', '/run/end'): (1, 4),

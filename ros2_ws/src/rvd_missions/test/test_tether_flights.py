@@ -257,7 +257,7 @@ def test_an_elastic_tether_with_a_reel_arrives_too():
 def test_an_abort_stops_the_gripper_before_the_target():
     """The tether brakes; letting it go would not: the gripper would coast to the target."""
     kept = flown(shared=COARSE, schedule=[Change(600, abort=True)], record=[TRUTH.name])
-    assert kept.verdict.reason[0] in ('missed', 'blind')        # it swings on the tether
+    assert kept.verdict.reason[0] == 'aborted'      # it swings on the tether
     truth = kept.history[TRUTH.name]
     closing = -np.diff(truth.target[:, 0, 0])/0.05
     assert closing[590] > 0.5 and closing[-1] < 0.0             # it comes back, slowly
@@ -273,6 +273,11 @@ def test_a_gripper_that_turns_away_from_the_target_is_blind_and_aborts():
     assert blind.any() and not blind.all()
     assert_allclose(braking[blind], 16.0/0.05, atol=3)
     assert braking[~blind].max() < 10
+    truth = batch.history[TRUTH.name]
+    out = geometry.sight_angle(truth.state[..., 6:10], truth.target) >= APPROACH.view_rad
+    first = np.where(blind, out.argmax(axis=0)*0.05, np.nan)
+    assert_allclose(batch.verdict.happened, first)
+    assert (batch.verdict.happened[blind] < batch.verdict.duration[blind] - 1.0).all()
 
 
 def test_a_measurement_that_is_missing_is_no_blindness_and_is_bridged():

@@ -19,6 +19,7 @@ from typing import Any
 from rvd_campaign import catalogue
 from rvd_campaign.cpu import cpu_s
 from rvd_campaign.exits import CannotRun
+from rvd_campaign.flight.domain import reserved_domain
 
 WATCHERS = 50
 TURNS = 4                       # alone and watched: a p99 of 700 samples moves by a fifth by itself
@@ -48,15 +49,17 @@ def measure(quick: bool = False) -> dict[str, Any]:
     browser = _which('chromium', 'chromium-browser', 'google-chrome')
     part_s = PART_S / 3.0 if quick else PART_S
     figures: dict[str, Any] = {'bundle_bytes': bundle_bytes()}
+    with reserved_domain() as free:
+        domain = int(free)                      # the flight is given it, and we listen there
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as play:
-        flying = _start(Path(folder))
+        flying = _start(Path(folder), domain)
         try:
             url = _url(flying, Path(folder))
             chrome = play.chromium.launch(executable_path=browser, args=FLAGS)
             _open(chrome, url)                  # the first one reads Chromium from the disk
             chrome.close()
             chrome = play.chromium.launch(executable_path=browser, args=FLAGS)
-            figures.update(_measure(chrome, url, flying.pid, part_s))
+            figures.update(_measure(chrome, url, flying.pid, domain, part_s))
             chrome.close()
         finally:
             flying.terminate()
@@ -78,12 +81,12 @@ def _which(*names: str) -> str:
     return found
 
 
-def _start(folder: Path) -> subprocess.Popen:
+def _start(folder: Path, domain: int) -> subprocess.Popen:
     return subprocess.Popen(
         [sys.executable, '-m', 'rvd_campaign.cli', 'fly', 'hand', '--operator', 'console',
          '--port', '0', '--headless', '--mode', 'auto'], cwd=folder, start_new_session=True,
         stdout=(folder / 'out').open('w'), stderr=subprocess.STDOUT,
-        env={**os.environ, 'RVD_ROOT': str(catalogue.root())})
+        env={**os.environ, 'RVD_ROOT': str(catalogue.root()), 'ROS_DOMAIN_ID': str(domain)})
 
 
 def _url(flying: subprocess.Popen, folder: Path) -> str:
@@ -107,13 +110,13 @@ def _open(chrome: Any, url: str) -> tuple[Any, float]:
     return page, time.monotonic() - begun
 
 
-def _measure(chrome: Any, url: str, fly_pid: int, part_s: float) -> dict[str, Any]:
+def _measure(chrome: Any, url: str, fly_pid: int, domain: int, part_s: float) -> dict[str, Any]:
     page, usable = _open(chrome, url)
     page.keyboard.press('t')
     _until(page, "rvd.store.status.lease === 'you'")
     page.evaluate("(() => { rvd.link.ask({ do: 'fly', mode: 'auto' }); })()")
     _until(page, "rvd.store.status.phase === 'flying' && Boolean(rvd.store.frame)")
-    joys = Joys()
+    joys = Joys(domain)
     try:
         page.evaluate('''(() => { window.sent = [];
             rvd.link.worker.addEventListener('message', (e) => {
@@ -173,19 +176,21 @@ def _measure_part(part: Part, page: Any, joys: 'Joys', bridge: int, part_s: floa
 class Joys:
     """Listens to /joy on a thread of its own."""
 
-    def __init__(self) -> None:
+    def __init__(self, domain: int) -> None:
         import threading
 
-        import rclpy
+        from rclpy.context import Context
         from rclpy.executors import SingleThreadedExecutor
+        from rclpy.node import Node
         from sensor_msgs.msg import Joy
 
         from rvd_dynamics.diagram.ros.qos import HELD_STICK
         self.heard: dict[int, float] = {}
-        rclpy.init(args=[], signal_handler_options=rclpy.signals.SignalHandlerOptions.NO)
-        self._node = rclpy.create_node('rvd_bench')
+        self._context = Context()
+        self._context.init(domain_id=domain)
+        self._node = Node('rvd_bench', context=self._context)
         self._node.create_subscription(Joy, '/joy', self._take, HELD_STICK)
-        self._executor = SingleThreadedExecutor()
+        self._executor = SingleThreadedExecutor(context=self._context)
         self._executor.add_node(self._node)
         self._open = True
         self._thread = threading.Thread(target=self._spin, daemon=True)
@@ -200,11 +205,10 @@ class Joys:
 
     def close(self) -> None:
         """Leave the graph."""
-        import rclpy
         self._open = False
         self._thread.join(2.0)
         self._node.destroy_node()
-        rclpy.try_shutdown()
+        self._context.try_shutdown()
 
 
 def rank(values: list[float], percent: float) -> float:

@@ -19,6 +19,7 @@ from rvd_dynamics.diagram.build import loaded
 from rvd_dynamics.diagram.mission import Mission
 from rvd_dynamics.recording.drawing import (
     BLUE, CampaignFigure, canvas, DASHED, INK, LINES, load, VERMILLION)
+from rvd_dynamics.recording.worded import worded, worded_axis
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -51,7 +52,9 @@ class Results:
 def success(results: Results) -> Drawn:
     """Draw the success rate of each condition with its interval, beside the references."""
     names = list(results.rows)
-    figure = canvas(max(1.6, 0.75 + 0.28*len(names)), left=0.27)
+    said = [worded(name) for name in names]
+    left = min(0.04 + 0.0072*max(map(len, said)), 0.5)          # room for the longest name
+    figure = canvas(max(1.6, 0.75 + 0.28*len(names)), left=left)
     axes = figure.subplots()
     for at, name in enumerate(names):
         row = results.rows[name]
@@ -62,7 +65,7 @@ def success(results: Results) -> Drawn:
             _interval(axes, names.index(row['condition']) + 0.25, row['successes'], row['runs'],
                       VERMILLION, 'D', False)
     axes.set(yticks=range(len(names)), ylim=(len(names) - 0.4, -0.6), xlabel='success rate')
-    axes.set_yticklabels(names)
+    axes.set_yticklabels(said)
     axes.grid(axis='y', visible=False)
     caption = ('Bars: 95 % intervals (Wilson). Hollow markers: fitted to this very success rate, '
                'so not a prediction.')
@@ -89,8 +92,8 @@ def curve(results: Results) -> Drawn:
         return figure, 'The grid has no axis of numbers.'
     lines: dict[str, list] = {}
     for condition in conditions:
-        others = [f'{a.rsplit(".", 1)[-1]} {v}' for a, v in condition.at.items() if a != axis]
-        label = ', '.join([condition.group, *others])
+        others = [f'{a.rsplit(".", 1)[-1]}={v}' for a, v in condition.at.items() if a != axis]
+        label = worded(','.join([condition.group, *others]))
         lines.setdefault(label, []).append(condition)
     for (label, members), (colour, style, marker) in zip(lines.items(), LINES * len(lines)):
         members = sorted(members, key=lambda c: _number(c.at[axis]))
@@ -103,8 +106,7 @@ def curve(results: Results) -> Drawn:
     for label, row in results.campaign.reference.items():
         if 'at' in row:
             _reference_point(axes, float(row['at']), row, label)
-    axes.set(xlabel=axis.rsplit('.', 1)[-1].replace('_s', ' [s]') if axis.endswith('_s')
-             else axis.rsplit('.', 1)[-1], ylabel='success rate')
+    axes.set(xlabel=worded_axis(axis.rsplit('.', 1)[-1]), ylabel='success rate')
     if len(lines) > 1 or any('at' in row for row in results.campaign.reference.values()):
         axes.legend(loc='best')
     return figure, 'Success rate. Shaded: 95 % interval (Wilson) of each point on its own.'
@@ -125,7 +127,7 @@ def replicates(results: Results) -> Drawn:
     rates = {name: table['success'].reshape(-1, size).mean(axis=1)
              for name, table in results.tables.items()}
     for (name, values), (colour, style, _) in zip(rates.items(), LINES):
-        _bars(left, values, size, colour, style, name)
+        _bars(left, values, size, colour, style, worded(name))
     for label, row in campaign.reference.items():
         left.axvline(row['successes'] / row['runs'], color=INK, linewidth=1.2, linestyle=DASHED)
         left.text(row['successes'] / row['runs'], 0.98, f' {label}', rotation=90, va='top',
@@ -135,7 +137,7 @@ def replicates(results: Results) -> Drawn:
     for a, b in campaign.compare[:1]:
         _bars(right, rates[a] - np.roll(rates[b], 1), size, BLUE, '-', 'other draws')
         _bars(right, rates[a] - rates[b], size, VERMILLION, DASHED, 'same draws')
-        right.set_title(f'{a} minus {b}')
+        right.set_title(f'{worded(a)} minus {worded(b)}')
     right.set(xlabel='difference of success rates')
     right.axvline(0.0, color=INK, linewidth=1.0)
     right.legend(loc='upper left')

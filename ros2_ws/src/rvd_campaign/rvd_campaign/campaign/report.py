@@ -19,9 +19,11 @@ from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.given import object_of
 from rvd_dynamics.recording import whole
 from rvd_dynamics.recording.drawing import CampaignFigure, svg
+from rvd_dynamics.recording.worded import worded
 
 NO_SUMMARY = (LookupError, TypeError, ValueError, AttributeError, TemplateError)
 LONGEST = 60                            # rows of a table that a page shows
+SHORT = 8                               # conditions whose table may come before the figures
 DASH = '\u2013'
 TIME = {'words': 'time', 'unit': 's', 'digits': 1}
 BY = {'pilot': 'pilot alone', 'auto': 'automatic controller alone', 'blend': 'both, blended',
@@ -90,7 +92,8 @@ def page(made: Results) -> str:
     rates = [c['runs_per_s'] for c in summary['conditions'] if c['runs_per_s']]
     return render(
         'campaign.html.j2', title=campaign.title or f'Campaign {campaign.name}',
-        longest=LONGEST, notes=summary['notes'], fitted=summary['fitted'],
+        longest=LONGEST, short=SHORT, notes=summary['notes'],
+        fitted={worded(name): why for name, why in summary['fitted'].items()},
         facts=[('campaign ', campaign.name, ''), ('', len(campaign.conditions), ' conditions'),
                ('', f'{campaign.runs:,}', ' runs each'), ('seed ', campaign.seed, '')],
         conditions=_conditions(summary, campaign.reference), differences=_differences(summary),
@@ -99,6 +102,7 @@ def page(made: Results) -> str:
         figures=[_figure(name, figure, made) for name, figure in shown_by(campaign).items()],
         endings=_endings(summary, averaged), averaged=bool(averaged), decided=_decided(summary),
         name=campaign.name, runs=campaign.runs, first=campaign.conditions[0].name,
+        named=_named(summary),
         result_hash=summary['result_hash'], source=summary['identity']['code'][:12],
         packages=', '.join(f'{name} {version}' for name, version in summary['identity'].items()
                            if name not in ('settings', 'code')),
@@ -118,7 +122,7 @@ def _conditions(summary: dict[str, Any], reference: dict[str, dict]) -> Table:
                 *(_mean(means.get(key), errors.get(key), m['digits'])
                   for key, m in measures.items())]
 
-    rows = [('', row(c['name'] + (' \u2020' if c['name'] in summary['fitted'] else ''), c))
+    rows = [('', row(worded(c['name']) + (' \u2020' if c['name'] in summary['fitted'] else ''), c))
             for c in summary['conditions']]
     rows += [('reference', row(label, r)) for label, r in reference.items()]
     return Table(['condition', 'runs', 'success', '95 % (Wilson)',
@@ -148,7 +152,7 @@ def _mean(value: float | None, error: float | None, digits: int) -> Cell:
 
 
 def _differences(summary: dict[str, Any]) -> Table:
-    rows = [('', [f'{d["a"]} minus {d["b"]}', f'{d["difference"]:+.4f}',
+    rows = [('', [_minus(d), f'{d["difference"]:+.4f}',
                   f'{d["paired95"][0]:+.4f} \u2026 {d["paired95"][1]:+.4f}',
                   f'{d["unpaired95"][0]:+.4f} \u2026 {d["unpaired95"][1]:+.4f}',
                   f'{d["only_a"]:,} : {d["only_b"]:,}', _p(d['p'])])
@@ -167,11 +171,22 @@ def _measured(summary: dict[str, Any]) -> Table:
         low, high = found['paired95']
         interval = '' if low is None else f'{low:+.{digits}f} \u2026 {high:+.{digits}f}'
         return f'{found["difference"]:+.{digits}f}', interval
-    rows = [('', [f'{d["a"]} minus {d["b"]}', f'{d["both"]:,}',
+    rows = [('', [_minus(d), f'{d["both"]:,}',
                   *(cell(d['measures'].get(name), m['digits'] + 1)
                     for name, m in measures.items())])
             for d in summary['differences'] if 'measures' in d]
     return Table(['means, run by run', 'runs', *_heads(measures)], rows)
+
+
+def _minus(pair: dict[str, Any]) -> str:
+    return f'{worded(pair["a"])} minus {worded(pair["b"])}'
+
+
+def _named(summary: dict[str, Any]) -> list[tuple[str, str]]:
+    """Return the conditions in words with their names, where these are others."""
+    names = [c['name'] for c in summary['conditions']][:LONGEST]
+    return [(worded(name), name) for name in names] if any(
+        worded(name) != name for name in names) else []
 
 
 def _p(value: float) -> str:
@@ -182,26 +197,27 @@ def _replicates(summary: dict[str, Any]) -> dict[str, Any] | None:
     made = summary.get('replicates')
     if not made or made['count'] < 2:
         return None
-    rows = [('', [name, f'{s["mean"]:.3f}', f'{s["deviation"]:.3f}',
+    rows = [('', [worded(name), f'{s["mean"]:.3f}', f'{s["deviation"]:.3f}',
                   f'{s["middle95"][0]:.2f} {DASH} {s["middle95"][1]:.2f}'])
             for name, s in made['success_rate'].items()]
     for d in made['differences']:
         for kind, words in (('same_draws', 'same draws'), ('other_draws', 'other draws')):
             s = d[kind]
-            rows.append(('', [f'{d["a"]} minus {d["b"]}, {words}', f'{s["mean"]:+.3f}',
+            rows.append(('', [f'{_minus(d)}, {words}', f'{s["mean"]:+.3f}',
                               f'{s["deviation"]:.3f}',
                               f'{s["middle95"][0]:+.2f} {DASH} {s["middle95"][1]:+.2f}']))
     return {'title': f'{made["count"]:,} experiments with {made["operators"]} pilots and '
                      f'{made["runs"]} runs each',
             'heads': ['', 'mean', 'standard deviation', 'middle 95 %'], 'rows': rows,
-            'differences': made['differences']}
+            'differences': [{**d, 'a': worded(d['a']), 'b': worded(d['b'])}
+                            for d in made['differences']]}
 
 
 def _endings(summary: dict[str, Any], averaged: dict[str, dict[str, Any]]) -> Table:
     words = summary['reasons']
     found = sorted({reason for c in summary['conditions'] for reason in c['reasons']},
                    key=list(words).index)
-    rows = [('', [c['name'], *(f'{c["reasons"].get(reason, 0):,}' for reason in found),
+    rows = [('', [worded(c['name']), *(f'{c["reasons"].get(reason, 0):,}' for reason in found),
                   *(f'{c["means_of_all_runs"][name]:.{m["digits"]}f}'
                     for name, m in averaged.items())])
             for c in summary['conditions']]
@@ -211,7 +227,7 @@ def _endings(summary: dict[str, Any], averaged: dict[str, dict[str, Any]]) -> Ta
 def _decided(summary: dict[str, Any]) -> Table:
     shares = {c['name']: c.get('share_of_steps', {}) for c in summary['conditions']}
     by = next(iter(shares.values()))
-    rows = [('', [name, *(f'{100*share[who]:.1f} %' for who in by)])
+    rows = [('', [worded(name), *(f'{100*share[who]:.1f} %' for who in by)])
             for name, share in shares.items() if share]
     return Table(['share of steps', *(BY.get(who, who) for who in by)], rows)
 

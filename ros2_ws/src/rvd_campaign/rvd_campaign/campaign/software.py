@@ -5,6 +5,7 @@ A mission's own sources are those of the package that its diagram stands in, and
 package beside it that they name. Other missions of the same distribution do not count.
 """
 
+import ast
 import hashlib
 import importlib.metadata
 import importlib.util
@@ -116,6 +117,25 @@ def _in_loop(package: str, name: str) -> bool:
 
 def _used_by_none(name: str, own: list[tuple[str, Path]], shown: frozenset[str]) -> bool:
     """Say whether no file of a package that makes numbers imports one that shows something."""
-    used = re.compile(rf'^\s*(from|import)\b.*\b{re.escape(Path(name).stem)}\b', re.MULTILINE)
-    return not any(used.search(path.read_text(encoding='utf-8'))
-                   for other, path in own if other not in shown)
+    module = _module(name)
+    return not any(module in _imported(other, path) for other, path in own if other not in shown)
+
+
+def _module(name: str) -> str:
+    return name.removesuffix('.py').removesuffix('/__init__').replace('/', '.')
+
+
+def _imported(name: str, path: Path) -> set[str]:
+    """Return all that a file imports, relative names resolved: modules, and what is in them."""
+    if path.suffix != '.py':
+        return set()
+    package = [*_module(name).split('.'), *(['__init__'] if path.stem == '__init__' else [])]
+    found = set()
+    for node in ast.walk(ast.parse(path.read_text(encoding='utf-8'))):
+        if isinstance(node, ast.Import):
+            found |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            above = package[:-node.level] if node.level else []
+            base = '.'.join([*above, *([node.module] if node.module else [])])
+            found |= {base, *(f'{base}.{alias.name}' for alias in node.names)}
+    return found

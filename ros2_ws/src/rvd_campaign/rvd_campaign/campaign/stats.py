@@ -6,12 +6,17 @@ Proportions     E. B. Wilson, J. Am. Stat. Assoc. 22, 1927, 209-212: the score i
 Differences     R. G. Newcombe, Stat. Med. 17, 1998: of independent proportions pp. 873-890,
                 method 10; of paired ones pp. 2635-2650, method 10, with its correction of phi.
                 Conditions of a campaign share their random draws run by run, so they are paired.
+Of people       E. L. Korn, B. I. Graubard, Survey Methodology 24, 1998, 193-201: Clopper's and
+                Pearson's interval of a proportion of flights that come in clusters, here of
+                volunteers, for the effective number of flights, corrected for the few degrees
+                of freedom.
 Means           normal approximation; runs are counted in hundreds and more. Of paired differences
                 Student's t: the runs that succeed in both conditions may be few.
 
 `scipy.stats` takes most of a second to import, so that only what calls it does.
 """
 
+from collections.abc import Sequence
 from math import sqrt
 from typing import NamedTuple
 
@@ -62,6 +67,41 @@ def wilson(successes: int, runs: int) -> Interval:
     from scipy.stats import binomtest
     found = binomtest(successes, runs).proportion_ci(confidence_level=0.95, method='wilson')
     return Interval(float(found.low), float(found.high))
+
+
+def clustered(counts: Sequence[tuple[int, int]]) -> Interval | None:
+    """
+    Return the interval of a proportion whose trials come in clusters, of volunteers for example.
+
+    Parameters
+    ----------
+    counts : sequence of (int, int)
+        Successes and trials of each cluster, at least one trial.
+
+    Returns
+    -------
+    Interval or None
+        For other clusters like these; a single one says nothing of others.
+    """
+    clusters = len(counts)
+    if clusters < 2:
+        return None
+    from scipy.stats import beta, t
+    successes, trials = np.array(counts, dtype=float).T
+    n = trials.sum()
+    p = successes.sum() / n
+    variance = clusters / (clusters - 1) * float(
+        ((trials / n)**2 * (successes / trials - p)**2).sum())
+    effective = min(n, p*(1 - p)/variance) if variance > 0.0 else n
+    few = (t.ppf(0.975, n - 1) / t.ppf(0.975, clusters - 1))**2
+    good, bad = p*effective*few, (1 - p)*effective*few
+    return Interval(float(beta.ppf(0.025, good, bad + 1)) if good > 0.0 else 0.0,
+                    float(beta.ppf(0.975, good + 1, bad)) if bad > 0.0 else 1.0)
+
+
+def mean_interval(values: ArrayLike) -> Interval:
+    """Return Student's interval of the mean of two or more values."""
+    return mean_difference(values, np.zeros(len(values)))[1]
 
 
 def newcombe(successes_a: int, runs_a: int, successes_b: int, runs_b: int) -> Interval:

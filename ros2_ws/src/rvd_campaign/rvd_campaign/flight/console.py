@@ -75,10 +75,11 @@ class ConsoleProcess:
             else:
                 self._wishes.put(message)
 
-    def url(self) -> str:
-        """Return the address to open, once there."""
+    def urls(self) -> tuple[str, str]:
+        """Return the address for who flies and the one for who only watches, once there."""
         try:
-            return self._next(URL_S)['url']
+            said = self._next(URL_S)
+            return said['url'], said['watch']
         except (KeyError, queue.Empty):
             raise CannotRun('the console did not start') from None
 
@@ -157,7 +158,7 @@ def main(args: argparse.Namespace, scenario: Scenario) -> int:
         page = ConsoleProcess(args, runs, Path(folder), domain, scenario)
         os.environ['RVD_CONSOLE'] = str(page.socket)
         try:
-            print(f'open {page.url()}', flush=True)
+            print('open {}\nwatch {}'.format(*page.urls()), flush=True)
             return _serve(page, args, scenario, runs, domain)
         finally:
             refused = page.stop()
@@ -225,9 +226,21 @@ def _fly(page: ConsoleProcess, scenario: Scenario, run_dir: Path, runs: Path, do
         if page.stop_asked():
             stopped.append(True)
         return bool(stopped)
-    flight = fly.Flight(scenario, run_dir, domain, headless, stop_asked, console=True)
+
+    def known(code: int) -> None:
+        """Let the page go on: the run is over, and who flew need not wait for the report."""
+        if code != EXIT_INTERRUPTED or stopped:
+            page.tell('ended', name, f'failed {flight.problem}' if code == EXIT_CANNOT
+                      else flight.ended_by)
+    said = ['']
+
+    def progress(words: str) -> None:
+        if words != said[0]:                    # it is looked at several times a second
+            said[0] = words
+            page.tell('progress', name, words)
+    flight = fly.Flight(scenario, run_dir, domain, headless, stop_asked, console=True, known=known,
+                        progress=progress)
     code = flight.fly()
     if code == EXIT_INTERRUPTED and not stopped:
         raise KeyboardInterrupt
-    page.tell('ended', name, f'failed {flight.problem}' if code == EXIT_CANNOT else '')
     return code

@@ -15,10 +15,11 @@ from typing import Any, Callable
 from rvd_campaign import catalogue
 from rvd_campaign.flight import kept, room, verdict, vigil
 from rvd_dynamics.bad_input import one_line
-from rvd_dynamics.recording import drawing, reader
+from rvd_dynamics.recording import drawing, flown, reader
 from rvd_campaign.exits import (
     EXIT_CANNOT, EXIT_DONE, EXIT_FAILED, EXIT_FAULT, EXIT_INTERRUPTED)
 from rvd_dynamics.diagram.identity import new_run
+from rvd_dynamics.diagram.judge import ABORTED
 from rvd_dynamics.diagram.roster import (
     ENDED_EARLY, GIVEN_UP, listed, MONITOR, SECOND_WRITER, SILENT)
 from rvd_dynamics.diagram.scenario import Scenario
@@ -33,19 +34,33 @@ SHOW_S = 0.2                    # [s] wall time between two looks
 STOPPED_S = 5.0                 # [s] wall time without a look: this process did not run
 
 
+class _Stopped(KeyboardInterrupt):
+    """A page of the console has ended the run."""
+
+
 class Flight:
     """One run under supervision."""
 
     def __init__(self, scenario: Scenario, run_dir: Path, domain: int, headless: bool,
-                 stop_asked: Callable[[], bool] = lambda: False, console: bool = False) -> None:
+                 stop_asked: Callable[[], bool] = lambda: False, console: bool = False,
+                 known: Callable[[int], None] = lambda code: None,
+                 progress: Callable[[str], None] = lambda words: None) -> None:
+        """
+        Start the processes.
+
+        `stop_asked` says whether a page wants the run to end; `known` is told the exit code once
+        the run folder has its bag and its verdict, before the report is drawn; `progress` is told
+        in words how many nodes are ready.
+        """
         self._scenario = scenario
         self._run = scenario.run
         self._roster = listed(scenario, headless, console)
         self._run_dir, self._domain = run_dir, domain
         self._headless = headless
-        self._stop_asked = stop_asked
+        self._stop_asked, self._known, self._progress = stop_asked, known, progress
         self._run_id = new_run()
         self.problem = ''                       # why the run could not be flown
+        self.ended_by = ''                      # who ended it before its end, in words
         self._fault = False                     # of this software: not what it was given
         self._supervisor = Supervisor(
             catalogue.root() / 'scripts' / 'bringup.sh', run_dir / 'scenario.yaml', run_dir,
@@ -72,14 +87,14 @@ class Flight:
 
     def fly(self) -> int:
         """Follow the run to its end; every process has ended when this returns."""
-        problem, interrupted = None, False
+        problem, interrupted, stopped = None, False, False
         try:
             problem = self._follow()
             if problem is not None:             # the bag ends with it, where there still is one
                 self.problem = problem
                 self._supervisor.pulse.say(GIVEN_UP, self._step, problem)
-        except KeyboardInterrupt:
-            interrupted = True
+        except KeyboardInterrupt as how:
+            interrupted, stopped = True, isinstance(how, _Stopped)
         finally:
             with uninterrupted():
                 self._supervisor.stop()
@@ -92,31 +107,53 @@ class Flight:
             if set(self._supervisor.failures().values()) != {EXIT_CANNOT}:      # that says it all
                 print(f'rvd fly: logs are in {self._run_dir / "logs"}', file=sys.stderr)
             self._keep_given_up(problem)
-            return EXIT_FAULT if self._fault else EXIT_CANNOT
+            code = EXIT_FAULT if self._fault else EXIT_CANNOT
+            self._known(code)
+            return code
         last, links = self._outcome()
-        judged = verdict.outcome(last, interrupted)
+        judged = verdict.outcome(last, interrupted, stopped=stopped)
         held = self._kept(last)
         from rvd_campaign.flight import second_opinion          # imports ROS, by now loaded
+        if stopped and second_opinion.was_aborted(self._run_dir, self._scenario):
+            judged = judged._replace(reason=ABORTED, words=verdict.STOPPED_ABORTED)
+        self.ended_by = judged.words if stopped else ''
         doubts, trust = second_opinion.asked(
             self._run_dir, self._scenario, None if interrupted else last, self._watch.strangers)
         content = verdict.as_dict(judged, links, self._scenario, held) | trust
         content['silences'] = self._silences
+        content['flown'] = self._flown()
+        if stopped:
+            content['ended_by'] = verdict.STOPPED
         verdict.write(self._run_dir / 'verdict.json', content)
         if doubts:
             self.problem = f'not to be trusted: {"; ".join(doubts)}'
             print(f'rvd fly: {one_line(self.problem)}', file=sys.stderr, flush=True)
         else:
             print(verdict.in_words(judged), flush=True)
+        incomplete = held is not None and not held.complete
+        code = EXIT_DONE if judged.success else EXIT_FAILED
         if interrupted:
-            return EXIT_INTERRUPTED
+            code = EXIT_INTERRUPTED
+        elif doubts or incomplete:
+            code = EXIT_CANNOT
+        self._known(code)
+        if interrupted and not stopped:         # Ctrl-C: who waits for the prompt
+            return code
         from rvd_campaign.report.run import write_report        # takes a while, loaded meanwhile
         attempt(write_report, self._run_dir, self._run_dir / 'logs' / 'report.log')
-        incomplete = held is not None and not held.complete
-        if incomplete:
+        if incomplete and not interrupted:
             print(f'rvd fly: {held.in_words()}', file=sys.stderr)
-        if doubts or incomplete:
-            return EXIT_CANNOT
-        return EXIT_DONE if judged.success else EXIT_FAILED
+        return code
+
+    def _flown(self, quiet: bool = False) -> dict[str, Any] | None:
+        """Return what was flown, by the bag; None where it cannot be read."""
+        try:
+            return flown.of_bag(self._run_dir, self._scenario, self._step).as_dict()
+        except (*reader.NO_MESSAGE, OSError) as error:     # the verdict is kept all the same
+            if not quiet:
+                print(f'rvd fly: what was flown is not known: {one_line(str(error))}',
+                      file=sys.stderr)
+            return None
 
     def _keep_given_up(self, problem: str) -> None:
         """Write why there is no verdict, for who finds the run folder: the bag may not say it."""
@@ -124,15 +161,14 @@ class Flight:
         content = verdict.as_dict(verdict.outcome(last, problem=problem), links, self._scenario)
         verdict.write(self._run_dir / 'verdict.json', content | verdict.trust(
             self._watch.strangers, None, 'the run was given up') | {
-                'given_up': one_line(problem), 'silences': self._silences})
+                'given_up': one_line(problem), 'silences': self._silences,
+                'flown': self._flown(quiet=True)})
 
     def _follow(self) -> str | None:
         """Return None when the run has ended, or the sentence that says why it could not."""
         gone_at = None
         while True:
             stopped_s = self._look(SHOW_S if self._watch.steps else 0.05)
-            if self._stop_asked():
-                raise KeyboardInterrupt
             if self._watch.strangers:           # told in the end, with all that there were
                 self._watch.hear_of_strangers()
                 self._show()
@@ -142,6 +178,8 @@ class Flight:
             if self._is_final(self._watch.verdict):
                 self._wait_for_the_nodes()
                 return None
+            if self._stop_asked():              # not of a run that has come to its end meanwhile
+                raise _Stopped
             failures = self._supervisor.failures()
             if by := self._supervisor.ended_by():               # it says so before anybody ends
                 return self._after(by)
@@ -361,6 +399,8 @@ class Flight:
         for event in self._watch.new_events():
             self._end_line()
             print(one_line(f'  {event.step * self._run.step_s:.1f} s {event.node}: {event.text}'))
+        if not self._watch.steps:
+            self._progress(one_line(self._starting.progress(len(self._watch.ready))))
         if self._headless:
             return
         line = one_line(self._watch.line())

@@ -57,8 +57,12 @@ class Starting:
 
     def line(self, ready: int) -> str:
         """Return one line of progress; `ready`: how many nodes are."""
+        return f'starting: {self.progress(ready)}'
+
+    def progress(self, ready: int) -> str:
+        """Return the progress in words; `ready`: how many nodes are."""
         compiling = f'; loops are compiled: {", ".join(self.who)}' if self.who else ''
-        return f'starting: {ready} of {len(self._roster.names)} nodes ready{compiling}'
+        return f'{ready} of {len(self._roster.names)} nodes ready{compiling}'
 
     def _why(self, watch: Any) -> str:
         words = f'the graph did not come up in {self._start_s:g} s'

@@ -20,11 +20,14 @@ from rvd_dynamics.recording import whole
 
 INTERRUPTED = 'interrupted'             # reason of a flight that was stopped, and its words
 UNTRUSTED = 'untrusted'                 # reason of a flight whose verdict is not to be believed
+STOPPED = 'ended from the console'      # words of one that a page has ended
+STOPPED_ABORTED = f'aborted, and {STOPPED}'
 GIVEN_UP = 'given_up'                   # reason of a flight that could not be flown to its end
 LINK_DELAYS = ('delay_p50', 'delay_p99', 'delay_max')
 
 
-def outcome(verdict: Any, interrupted: bool = False, problem: str = '') -> Judgement:
+def outcome(verdict: Any, interrupted: bool = False, problem: str = '',
+            stopped: bool = False) -> Judgement:
     """
     Return how a flight went.
 
@@ -36,15 +39,18 @@ def outcome(verdict: Any, interrupted: bool = False, problem: str = '') -> Judge
         Somebody stopped the flight, whatever the verdict was by then.
     problem : str
         Why the flight was given up, whatever the verdict was by then; empty: it was not.
+    stopped : bool
+        Who interrupted it did so from a page of the console.
     """
+    words = STOPPED if stopped else INTERRUPTED
     if verdict is None:
         why = GIVEN_UP if problem else INTERRUPTED
-        return Judgement(False, why, problem or why, math.nan, ())
+        return Judgement(False, why, problem or words, math.nan, ())
     judged = from_message(verdict)
     if problem:
         return judged._replace(success=False, reason=GIVEN_UP, words=problem)
     judged = judged._replace(success=bool(verdict.final and judged.success))
-    return judged._replace(reason=INTERRUPTED, words=INTERRUPTED) if interrupted else judged
+    return judged._replace(reason=INTERRUPTED, words=words) if interrupted else judged
 
 
 def as_dict(judged: Judgement, links: dict[str, Any], scenario: Scenario,
@@ -135,7 +141,7 @@ def read(path: Path) -> dict[str, Any]:
 
 def in_words(judged: Judgement) -> str:
     """Return how a flight went in a few lines."""
-    if judged.reason != INTERRUPTED:
+    if judged.reason != INTERRUPTED and judged.words != STOPPED_ABORTED:
         said = judge.in_words(judged)
     elif math.isnan(judged.duration):
         said = judged.words

@@ -21,6 +21,7 @@ from typing import Any
 
 import numpy as np
 
+from rvd_dynamics import lifeline
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.display import TRUTH
 from rvd_dynamics.diagram.judge import for_page, from_message
@@ -64,14 +65,15 @@ def load(runs: Path, name: str) -> str:
     for file in files:
         content = MessageFile(file)
         try:
-            with np.errstate(all='ignore'):     # a damaged bag holds numbers that no run has
+            with np.errstate(all='ignore'):     # as below
                 for stored in content:
                     replay.take(stored)
         except OSError as error:
             replay.damaged(f'{file.name} cannot be read: {error.strerror or error}')
         for sentence in in_words(content):
             replay.damaged(sentence)
-    return encode(replay.content())
+    with np.errstate(all='ignore'):             # a damaged bag holds numbers that no run has
+        return encode(replay.content())
 
 
 class _NoScenario(BadInput):
@@ -86,6 +88,7 @@ class Replay:
         self._feed: Feed | None = None
         self._every = 1
         self._truth: dict[int, dict[str, Any]] = {}
+        self._newest: tuple[int, dict[str, Any]] | None = None      # of the truth
         self._frames: list[dict] = []
         self._events: list[dict] = []
         self._damage: list[str] = []
@@ -125,6 +128,7 @@ class Replay:
         if scenario is None:
             raise _NoScenario(note)
         feed = self._feed = Feed(display_of(scenario))
+        feed.ladder.archive = []                # a review shows all of it
         display, signals = feed.display, on_ground(scenario.diagram)
         measured = signals[display.measured]
         self._width = measured.parts[0].shape[0] if measured.message == FRAME else 0
@@ -142,6 +146,10 @@ class Replay:
 
     def content(self) -> dict[str, Any]:
         """Return all of it."""
+        if self._frames:
+            self._keep_last()
+        if self._newest is not None:
+            self._truth.setdefault(*self._newest)
         if self._left_out:
             self.damaged(f'{self._left_out} messages left out, the first: {self._first}')
         if self._feed is None or not self._frames:
@@ -157,7 +165,7 @@ class Replay:
                          if signal['ok']}
                 truth['parts'].update(self._feed.provider.beside(shown, truth['parts']))
         return {**self._feed.run_message(self._name), 'type': 'review', 'frames': self._frames,
-                'ladder': self._feed.ladder.changes(), 'events': self._events,
+                'ladder': self._feed.ladder.whole(), 'events': self._events,
                 'verdict': self._verdict}
 
     def _telemetry(self, m: Any) -> None:
@@ -179,16 +187,28 @@ class Replay:
         self._check_step(m)
         self._feed.command(self._command_of(m))
         if m.step % self._every == 0:
-            frame = self._feed.frame(self._feed.ladder.version)
-            del frame['type'], frame['ladder']
-            self._frames.append(frame)
+            self._keep_frame()
+
+    def _keep_frame(self) -> None:
+        frame = self._feed.frame(self._feed.ladder.version)
+        del frame['type'], frame['ladder']
+        self._frames.append(frame)
+
+    def _keep_last(self) -> None:
+        """Keep how it ended, as a page of the flight shows it, whatever pictures were left out."""
+        if self._verdict is not None:
+            self._feed.settle(self._verdict['duration'])
+        if self._frames[-1]['k'] == self._feed.step:
+            self._frames.pop()
+        self._keep_frame()
 
     def _on_truth(self, m: Any) -> None:
         self._check_step(m)
         sample = self._truth_of(m)
+        made = {'k': sample.step, 't': sample.t, 'ok': sample.ok, 'parts': sample.parts}
         if m.step % self._every == 0 or sample.parts['final']:
-            self._truth[m.step] = {'k': sample.step, 't': sample.t, 'ok': sample.ok,
-                                   'parts': sample.parts}
+            self._truth[m.step] = made
+        self._newest = m.step, made
 
     def _event(self, m: Any) -> None:
         self._check_step(m)
@@ -224,4 +244,5 @@ def main(runs: str, name: str) -> int:
 
 
 if __name__ == '__main__':
+    lifeline.hold()                             # nobody reads on when the console has gone
     sys.exit(main(*sys.argv[1:]))

@@ -24,12 +24,15 @@ from rvd_dynamics.link.channel import LINK_COUNTS
 from rvd_dynamics.recording import whole
 from rvd_dynamics.recording.bag_writer import repair
 from rvd_dynamics.recording.drawing import Figure, svg
+from rvd_dynamics.recording.flown import ABORT, of_recording, UNKNOWN
 from rvd_dynamics.recording.reader import read
 from rvd_dynamics.recording.recording import Recording
 from rvd_dynamics.recording.series import Commands, LinkHistory, Series, SERIES, Table
+from rvd_dynamics.recording.worded import worded
 
 MOST_EVENTS = 1000              # rows of the table of events
 MOST_SILENCES = 10              # of them that stand above, too
+LONG = 10                       # rows of measures that push the figures off the screen
 LARGEST = 1e12                  # no quantity of a run is larger; a figure of what is may fail
 YES, NO, DASH = '\u2713', '\u2717', '\u2013'
 DECIDED = {codes.BY_NOBODY: 'nobody (no valid input)', codes.BY_PILOT: 'pilot alone',
@@ -92,24 +95,34 @@ def page(run: Recording, doubts: Iterable[str] = (), told: Told = Told()) -> str
     mark, kind = '?', 'open'
     if run.judged and not doubts:
         mark, kind = (YES, 'good') if run.verdict.success else (NO, 'bad')
-    shown = run.verdict.measures if run.verdict else ()
+    first, further = _measures(run.verdict.measures if run.verdict else ())
     links = {name: link.history for name, link in run.links.items()}
     drawn = [_drawn(name, figure, run) for name, figure in figures_of(run).items()]
     content = dict(
         legs=list(links), links=_link_rows(list(links.values())), decided=_decided_rows(run),
         refused=_refused(run))
     return render(
-        'run.html.j2', title=headline(run, bool(doubts), bool(given_up(run, told))), mark=mark,
-        kind=kind, facts=_facts(run),
+        'run.html.j2',
+        title=headline(run, bool(doubts), bool(given_up(run, told)), told.ended_by),
+        mark=mark, kind=kind, facts=_facts(run),
         warnings=[*(f'Not to be trusted: {doubt}.' for doubt in doubts), *_warnings(run, told),
                   *_damage(run, series), *(d for d in drawn if isinstance(d, str))],
         verdict=run.verdict, judged=run.judged,
-        measures=[(m, _used(m)) for m in shown if m.known or m.limited],
+        measures=[(m, _used(m)) for m in first], further=[(m.words, m.said) for m in further],
         figures=[d for d in drawn if isinstance(d, Drawn)],
         events=_events(run),
         topics=[(topic, n, run.missing.get(topic, ''), run.lost.get(topic, 0))
                 for topic, n in run.counts.items()],
         scenario=run.scenario_text, **content)
+
+
+def _measures(judged: Iterable[Judged]) -> tuple[list[Judged], list[Judged]]:
+    """Return the measures of the verdict, and those for below the figures, of a long table."""
+    shown = [m for m in judged if m.known or m.limited]
+    limited = [m for m in shown if m.limited]
+    if len(shown) <= LONG or not limited:
+        return shown, []
+    return limited, [m for m in shown if not m.limited]
 
 
 class _AsFarAsReadable(Mapping):
@@ -180,7 +193,8 @@ def _events(run: Recording) -> list[tuple[str, str, str, str]]:
     return [*rows, ('', '', '', f'and {more} more')] if more else rows
 
 
-def headline(run: Recording, doubtful: bool = False, gave_up: bool = False) -> str:
+def headline(run: Recording, doubtful: bool = False, gave_up: bool = False, ended_by: str = ''
+             ) -> str:
     """
     Return the verdict in words.
 
@@ -190,11 +204,21 @@ def headline(run: Recording, doubtful: bool = False, gave_up: bool = False) -> s
         It is not to be trusted.
     gave_up : bool
         The flight was given up, so that there is none.
+    ended_by : str
+        Who ended the flight before its end, likewise; empty where nobody did.
     """
     said = run.verdict.headline if run.judged else (
         'no verdict: the flight was given up' if gave_up else
+        f'no verdict: {ended_by}{_after(run)}' if ended_by else
         'no verdict: the recording ends before the run does')
     return f'not to be trusted: {said}' if doubtful else said
+
+
+def _after(run: Recording) -> str:
+    """Return when the recording ends, as words after others."""
+    if run.scenario is None or run.last_step < 0:
+        return ''
+    return f' after {run.last_step * run.scenario.run.step_s:.1f} s'
 
 
 def _facts(run: Recording) -> list[tuple[str, str, str]]:
@@ -202,14 +226,24 @@ def _facts(run: Recording) -> list[tuple[str, str, str]]:
     facts, scenario = [('scenario ', run.name or 'unknown', '')], run.scenario
     if scenario is None:
         return facts
-    facts.append(('mission ', scenario.mission.name, ''))
+    facts.append(('mission ', worded(scenario.mission.name), ''))
     if scenario.has_shared('operator'):
         operation = scenario.part('operation')
-        facts += [('mode ', operation.mode, ''), ('operator ', operation.operator, '')]
+        facts += [('mode ', _modes(run, operation.mode), ''),
+                  ('operator ', worded(operation.operator), '')]
     facts += [('seed ', str(scenario.run.seed), ''), ('run ', str(scenario.run.run), ''),
               ('step ', f'{scenario.run.step_s:g} s', '')]
     delays = ' + '.join(f'{link.hold_s:g}' for link in run.links.values())
     return [*facts, ('delay ', f'{delays} s', '')] if delays else facts
+
+
+def _modes(run: Recording, asked: str) -> str:
+    """Return the modes that were flown, with the share of each where they are several."""
+    modes = {name: n for name, n in of_recording(run).modes.items() if name != ABORT}
+    if set(modes) <= {asked} or set(modes) == {UNKNOWN}:
+        return asked
+    whole = sum(modes.values())
+    return ', '.join(f'{name} {100 * n / whole:.0f} %' for name, n in modes.items())
 
 
 def _warnings(run: Recording, told: Told) -> list[str]:

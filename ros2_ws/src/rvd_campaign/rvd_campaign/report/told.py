@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from rvd_dynamics.bad_input import BadInput, one_line
+from rvd_dynamics.diagram.judge import ABORTED, ABORTED_WORDS
 from rvd_dynamics.diagram.roster import GIVEN_UP, NAMELESS
 from rvd_dynamics.given import object_of
 from rvd_dynamics.recording.recording import Recording
@@ -28,11 +29,14 @@ class Told(NamedTuple):
         Why it could not be flown to its end; empty if it could.
     silences : sequence of tuple
         What was said of its processes: simulation time [s], sentence.
+    ended_by : str
+        Who ended it before its end, and how, in words; empty where nobody did.
     """
 
     doubts: Sequence[str] = ()
     given_up: str = ''
     silences: Sequence[tuple[float, str]] = ()
+    ended_by: str = ''
 
 
 def told_by(verdict: Path) -> Told:
@@ -46,7 +50,16 @@ def told_by(verdict: Path) -> Told:
                 given_up if isinstance(given_up, str) else '',
                 [(float(s['t_s']), s['said']) for s in _list(content.get('silences'))
                  if isinstance(s, dict) and isinstance(s.get('said'), str)
-                 and isinstance(s.get('t_s'), int | float) and abs(s['t_s']) < LATEST_S])
+                 and isinstance(s.get('t_s'), int | float) and abs(s['t_s']) < LATEST_S],
+                _ended_by(content))
+
+
+def _ended_by(content: dict[str, Any]) -> str:
+    """Return what `ended_by` says; of a flight that was aborted, that as well."""
+    words = content.get('ended_by', '')
+    if not isinstance(words, str) or not words:
+        return ''
+    return f'{ABORTED_WORDS}, and {words}' if content.get('reason') == ABORTED else words
 
 
 def given_up(run: Recording, told: Told) -> str:

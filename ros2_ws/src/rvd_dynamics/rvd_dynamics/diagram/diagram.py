@@ -15,10 +15,12 @@ Rules   every signal has one writer; a cycle has a delay in it; a truth signal i
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
 from rvd_dynamics.bad_input import BadInput
+from rvd_dynamics.commands.codes import KIND_ABORT
 from rvd_dynamics.diagram.block import (
     Block, External, GROUND, Leg, LINK, ONBOARD, Read, SEES_TRUTH, SEGMENTS, WATCH, WORLD)
 from rvd_dynamics.diagram.signal import Signal
@@ -39,6 +41,14 @@ class DiagramError(BadInput):
     """A diagram that breaks a rule; the text is one line that names block, signal and rule."""
 
 
+class Shown(NamedTuple):
+    """A value of a part of a signal that stands for something, once it is there."""
+
+    signal: str
+    part: str
+    value: int
+
+
 @dataclass(frozen=True)
 class Diagram:
     """
@@ -56,6 +66,8 @@ class Diagram:
         Signal that acts on the craft.
     externals : tuple of External
         Other nodes that may take part.
+    abort_in : Shown, optional
+        Where it shows on board that an ABORT is in force, if the guard's command does not show it.
     """
 
     blocks: tuple[Block, ...]
@@ -63,6 +75,7 @@ class Diagram:
     guard: str
     thrust: str
     externals: tuple[External, ...] = ()
+    abort_in: Shown | None = None
 
     def __post_init__(self) -> None:
         self._check_names()
@@ -72,6 +85,13 @@ class Diagram:
         self._check_thrust()
         self._check_draws()
         self.order                              # refuses a cycle without delay
+
+    @cached_property
+    def abort_shown(self) -> Shown | None:
+        """Where it shows on board that an ABORT is in force; None where nothing shows it."""
+        shown = self.abort_in or Shown(self.thrust, 'kind', KIND_ABORT)
+        parts = self.signals[shown.signal].parts if shown.signal in self.signals else ()
+        return shown if shown.part in (part.name for part in parts) else None
 
     # -- look-up ----------------------------------------------------------------------------
 

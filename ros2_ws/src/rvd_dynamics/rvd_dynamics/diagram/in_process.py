@@ -23,6 +23,7 @@ from rvd_dynamics.diagram.block import Block
 from rvd_dynamics.diagram.build import made, needs
 from rvd_dynamics.diagram.control import Change, Control
 from rvd_dynamics.diagram.diagram import DiagramError
+from rvd_dynamics.diagram.judge import aborted
 from rvd_dynamics.diagram.scenario import Scenario
 from rvd_dynamics.diagram.signal import Signal
 
@@ -218,6 +219,7 @@ class Loop:
         self._truth = self._slots[self._diagram.truth.name].now
         self.ended = np.zeros(len(runs), dtype=bool)
         self.end_step = np.full(len(runs), -1, dtype=np.int64)
+        self._abort_since = np.full(len(runs), np.nan)      # [s] as `aborts` says
         self._history: dict[str, list] = {name: [] for name in self._record}
 
     def _made(self, block: Block, runs: Sequence[int], draws: Draws) -> Any:
@@ -292,6 +294,15 @@ class Loop:
         if np.count_nonzero(final):
             self.end_step[final & ~self.ended] = step
             self.ended |= final
+        if self._aborts is not None and step >= self._aborts:
+            first = self._shows_abort() & ~self.ended & np.isnan(self._abort_since)
+            self._abort_since[first] = step*self._scenario.run.step_s
+
+    def _shows_abort(self) -> NDArray[np.bool_] | bool:
+        """Return in which runs it shows on board that an ABORT is in force."""
+        shown = self._diagram.abort_shown
+        return shown is not None and getattr(
+            self._slots[shown.signal].now[0], shown.part) == shown.value
 
     def _control_of(self, step: int) -> Control:
         """Return what is in force in a step, by the schedule."""
@@ -323,7 +334,8 @@ class Loop:
         if self._record:
             history = {name: _stacked(self._slots[name].signal, values, self.end_step, self._batch)
                        for name, values in self._history.items()}
-        return Batch(self._runs, self.end_step, self.judge.verdict(), columns, history)
+        verdict = aborted(self.judge.verdict(), self._abort_since)
+        return Batch(self._runs, self.end_step, verdict, columns, history)
 
 
 def _arguments(block: Block) -> list[str]:

@@ -21,6 +21,8 @@ from numpy.typing import ArrayLike, NDArray
 from rvd_dynamics.bad_input import BadInput
 
 NAN = float('nan')
+# Reason of a run in which an ABORT came into force (`aborts`), and its words, in every mission.
+ABORTED, ABORTED_WORDS = 'aborted', 'aborted'
 
 
 @dataclass(frozen=True)
@@ -59,9 +61,11 @@ class Verdict(NamedTuple):
     """Judgement of runs, each field of the batch's shape (plain numbers for a single run)."""
 
     success: Any                # [bool]  every criterion held
-    reason: Any                 # [text]  a key of the judge's `reasons`; empty: under way
+    reason: Any                 # [text]  a key of the judge's `reasons`, or ABORTED; empty so far
     duration: Any               # [s]     from the start to the end of the run, or so far
     values: dict[str, Any]      # name of each measure: its value [its unit]; NaN while unknown
+    happened: Any = None        # [s]     from the start to what the reason names; NaN, or None for
+    #                                     all: with the end of the run, or not known
 
 
 class Judge(Protocol):
@@ -135,19 +139,48 @@ class Judgement(NamedTuple):
 
     success: bool
     reason: str                 # empty while the run goes on
-    words: str                  # the reason for people; empty while the run goes on
+    words: str                  # the reason for people, with the time of what came before the end;
+    #                             empty while the run goes on
     duration: float             # [s]
     measures: tuple[Judged, ...]
 
     @property
     def headline(self) -> str:
-        """What happened and when, in a few words."""
+        """What happened and when, in a few words; a failure may come long before the end."""
         after = f'after {self.duration:.1f} s'
-        return f'{self.words} {after}' if self.success else f'failed {after}: {self.words}'
+        if self.success:
+            return f'{self.words} {after}'
+        ended = f'; the run ended {after}' if isfinite(self.duration) else ''
+        return f'failed: {self.words}{ended}'
 
     def value(self, name: str) -> float:
         """Return the value of a measure; NaN while unknown, or where there is no such measure."""
         return next((m.value for m in self.measures if m.name == name), NAN)
+
+
+def aborted(verdict: Verdict, since: ArrayLike) -> Verdict:
+    """
+    Return a verdict that says of which runs an ABORT was in force before they ended.
+
+    They were aborted, whatever the truth says besides: that is in the measures, which stay. A run
+    under way has no reason yet.
+
+    Parameters
+    ----------
+    since : array_like of float, of the batch's shape
+        From the start of the run to where it came into force [s]; NaN: it never did.
+    """
+    in_force = ~np.isnan(since)
+    if not np.any(in_force):
+        return verdict
+    over = np.asarray(verdict.reason) != ''
+    reason = np.where(over & in_force, ABORTED, verdict.reason)
+    success = np.asarray(verdict.success) & ~in_force
+    happened = np.where(over & in_force, since,
+                        NAN if verdict.happened is None else verdict.happened)
+    if reason.ndim == 0:                        # of a single run, plain numbers
+        reason, success, happened = reason.item(), success.item(), happened.item()
+    return verdict._replace(success=success, reason=reason, happened=happened)
 
 
 def judgement(judge: Judge, verdict: Verdict, row: int | tuple[int, ...] = ()) -> Judgement:
@@ -156,8 +189,12 @@ def judgement(judge: Judge, verdict: Verdict, row: int | tuple[int, ...] = ()) -
         return np.asarray(values)[row].item()
 
     reason = one(verdict.reason)
+    words = ABORTED_WORDS if reason == ABORTED else judge.reasons.get(reason, reason)
+    happened = NAN if verdict.happened is None else one(verdict.happened)
+    if reason and isfinite(happened):
+        words = f'{words} at {happened:.1f} s'
     return Judgement(
-        one(verdict.success), reason, judge.reasons.get(reason, reason), one(verdict.duration),
+        one(verdict.success), reason, words, one(verdict.duration),
         tuple(_judged(m, one(verdict.values[m.name])) for m in judge.measures))
 
 

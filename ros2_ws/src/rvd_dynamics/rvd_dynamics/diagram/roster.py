@@ -126,8 +126,9 @@ class Roster:
         if self.scenario.mission.scene:
             field = loaded(self.scenario.mission.scene)(self.scenario)
             viewed += tuple(s.rows.signal for s in field.moving) if field else ()
+        aborts = (self.diagram.abort_shown.signal,) if self.diagram.abort_shown else ()
         return {watcher.name: watcher for watcher in (
-            Watcher(MONITOR, (truth, '/run/end'), ('/run/verdict',)),
+            Watcher(MONITOR, (truth, *aborts, '/run/end'), ('/run/verdict',)),
             Watcher(RECORDER, tuple(self.topics), ('/run/recorded_step',)),
             Watcher(MARKERS, (*viewed, '/run/end')))}
 

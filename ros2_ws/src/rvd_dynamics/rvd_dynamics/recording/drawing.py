@@ -14,6 +14,7 @@ Source  M. Okabe, K. Ito, Color Universal Design, 2008.
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from html import escape
 import importlib
 import io
 import logging
@@ -27,6 +28,8 @@ from unittest import mock
 
 from numpy.typing import NDArray
 
+from rvd_dynamics.bad_input import one_line
+from rvd_dynamics.recording.described import described
 from rvd_dynamics.recording.recording import Recording
 
 if TYPE_CHECKING:
@@ -156,11 +159,13 @@ def svg(name: str, draw: Callable[[], Any]) -> str:
     """
     Return what `draw` draws as an SVG element to stand in a page that has the colours.
 
-    `name` sets the ids of this drawing apart from those of others in the page.
+    `name` sets the ids of this drawing apart from those of others in the page. What is drawn is
+    its alternative text, as `described` says it.
     """
     with _settings({}):
-        text = io.StringIO()
-        draw().savefig(text, format='svg', metadata={'Date': None})
+        text, drawn = io.StringIO(), draw()
+        drawn.savefig(text, format='svg', metadata={'Date': None})
+        shown = escape(one_line(described(drawn)))
     drawing = text.getvalue()
     drawing = drawing[drawing.index('<svg'):]
     drawing = re.sub(r'<metadata>.*?</metadata>', '', drawing, flags=re.S)
@@ -171,7 +176,7 @@ def svg(name: str, draw: Callable[[], Any]) -> str:
     drawing = re.sub(r'(\d\.\d\d)\d+', r'\1', drawing)      # a hundredth of a point is enough
     for colour, meaning in NAMES.items():
         drawing = drawing.replace(colour, f'var(--{meaning})')
-    return drawing
+    return drawing.replace('role="img"', f'role="img" aria-label="{shown}"', 1)
 
 
 def png(path: Path, draw: Callable[[], Any], dpi: int = 150) -> None:

@@ -39,20 +39,35 @@ function measure(canvas) {
   rem = parseFloat(getComputedStyle(document.documentElement).fontSize);
 }
 
+// The size of small words on a canvas: none is smaller than 11 px.
+export const small = (size) => Math.max(11, 0.74 * size);
+let pixels = () => Math.min(devicePixelRatio || 1, 2); // of a canvas, per pixel of the page
+
+// Do something with so many pixels in each canvas that is drawn meanwhile.
+export function finely(many, work) {
+  const usual = pixels;
+  pixels = () => many;
+  try {
+    work();
+  } finally {
+    pixels = usual;
+  }
+}
+
 export function begin(canvas) {
   if (!boxes.has(canvas)) {
     measure(canvas);
     observer.observe(canvas);
   }
   const { w, h } = boxes.get(canvas);
-  const ratio = Math.min(devicePixelRatio || 1, 2);
+  const ratio = pixels();
   const width = Math.max(1, Math.round(w * ratio));
   const height = Math.max(1, Math.round(h * ratio));
   if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
   const pen = canvas.getContext('2d', { willReadFrequently: SOFTWARE });
   pen.setTransform(ratio, 0, 0, ratio, 0, 0);
   pen.clearRect(0, 0, w, h);
-  pen.font = `${0.74 * rem}px system-ui, sans-serif`;
+  pen.font = `${small(rem)}px system-ui, sans-serif`;
   pen.lineWidth = rem / 12;
   return { pen, w, h, rem };
 }

@@ -1,7 +1,7 @@
 // What a craft with six axes has beside its instruments: the attitude indicator, lamps, and the
 // points that a camera's image was found to hold.
 
-import { COLOUR, begin, ring, say, text } from './canvas.js';
+import { COLOUR, begin, ring, say, small, text } from './canvas.js';
 import { number as read, part } from './data.js';
 import { number, readout } from './instruments.js';
 
@@ -103,7 +103,7 @@ function numbers(pen, panel, { angles, rates, scale, rateScale, w, h, rem }) {
     pen.font = `600 ${0.95 * rem}px system-ui, sans-serif`;
     const beyond = panel.limit !== null && Math.abs(angles[i]) > panel.limit;
     text(pen, `${beyond ? '▲ ' : ''}${signed(angles[i], panel.digits)}`, right, y, COLOUR[panel.needles[0].role], 'right');
-    pen.font = `${0.74 * rem}px system-ui, sans-serif`;
+    pen.font = `${small(rem)}px system-ui, sans-serif`;
     if (rates) text(pen, `${signed(rates[i], panel.digits + 1)} /s`, right, y + rem * 0.95, COLOUR.dim, 'right');
   });
   const words = [`ring ±${scale} ${panel.unit}`, ...(rates ? [`edge ±${rateScale} ${panel.unit}/s`] : [])];

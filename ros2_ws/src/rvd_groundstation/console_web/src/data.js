@@ -13,13 +13,14 @@ export function part(frame, ref) {
 
 const component = (value, i) => (Array.isArray(value) ? value[i] : value);
 
-// A component of a part, or the length of several.
-export function number(frame, { signal, part: name, index, factor }) {
+// A component of a part, or the length of several, which is negative where component `past` is positive.
+export function number(frame, { signal, part: name, index, factor, past }) {
   const value = sample(frame, signal)?.parts[name];
   if (value === undefined || value === null) return undefined;
   const picked = index.map((i) => component(value, i));
   if (picked.some((v) => v === null || v === undefined)) return undefined;
-  return factor * (picked.length === 1 ? picked[0] : Math.hypot(...picked));
+  const sign = past !== null && past !== undefined && component(value, past) > 0 ? -1 : 1;
+  return factor * (picked.length === 1 ? picked[0] : sign * Math.hypot(...picked));
 }
 
 // A limit or a radius: a number that stands, or one of a signal.
@@ -106,11 +107,19 @@ export function trailOf(line, rows, frame, now, most) {
   const end = place(frame, line.place, line.axes);
   const from = place(frame, line.since, line.axes);
   if (!begin || !end || !from) return { rows: [], at: 0, n: 0 };
-  let first = n;
-  while (first > 0 && rows[first - 1][1] > begin.t) first -= 1;
+  const spread = line.spread ? number(frame, line.spread) ?? 0 : 0;
   const made = [[...from, line.since_spread ? number(frame, line.since_spread) ?? 0 : 0]];
-  const stride = Math.max(1, Math.floor((n - first) / most));
-  for (let i = first; i < n; i += stride) made.push(rows[i].slice(2));
-  made.push([...end, line.spread ? number(frame, line.spread) ?? 0 : 0]);
+  const anew = part(frame, line.anew);
+  if (anew) { // other commands act than those that were predicted with
+    for (const row of anew) made.push([...point(row, line.axes), spread]);
+  } else {
+    const until = sample(frame, line.place.signal).t; // after the end less is shown than was predicted
+    while (n > 0 && rows[n - 1][1] > until) n -= 1;
+    let first = n;
+    while (first > 0 && rows[first - 1][1] > begin.t) first -= 1;
+    const stride = Math.max(1, Math.floor((n - first) / most));
+    for (let i = first; i < n; i += stride) made.push(rows[i].slice(2));
+  }
+  made.push([...end, spread]);
   return { rows: made, at: 0, n: made.length };
 }

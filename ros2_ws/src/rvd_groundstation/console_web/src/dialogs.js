@@ -1,5 +1,8 @@
 // What opens over the page: help, stick settings, new run, verdict, the list of runs.
 
+import { escape } from './escape.js';
+import { guidanceHtml } from './guidance.js';
+import { REVIEW_HELP } from './review_words.js';
 import { HELP, KEYS, REFUSED, S, fill } from './strings.js';
 import { limitWords, number } from './instruments.js';
 import { modeRows } from './modes.js';
@@ -8,6 +11,8 @@ const box = () => document.getElementById('dialog');
 
 export function open(html, onOpen) {
   const dialog = box();
+  dialog.oncancel = null; // of the dialog before
+  delete dialog.dataset.passes;
   dialog.innerHTML = html;
   if (!dialog.open) dialog.showModal();
   for (const button of dialog.querySelectorAll('[data-close]')) button.onclick = () => dialog.close();
@@ -19,22 +24,50 @@ export function close() {
   if (box().open) box().close();
 }
 
+// The heading of the dialog that is open; '' when none is.
+export function title() {
+  return box().open ? box().querySelector('h3')?.textContent || S.dialog : '';
+}
+
+// What a key does while a dialog is open: true when it belongs to the dialog, or to nobody.
+export function takesKey(code) {
+  const dialog = box();
+  if (!dialog.open) return false;
+  const button = dialog.querySelector(`[data-key="${code}"]`);
+  if (button) button.click();
+  else if (dialog.dataset.passes !== undefined) { // a list of the keys: they do what it says
+    dialog.close();
+    return false;
+  }
+  return true;
+}
+
+// Say something in the dialog that is open, above all else in it.
+export function note(words) {
+  const dialog = box();
+  let line = dialog.querySelector('#dialog-note');
+  if (!line && words) {
+    line = document.createElement('p');
+    Object.assign(line, { id: 'dialog-note', className: 'alarm' });
+    line.setAttribute('role', 'alert');
+    dialog.querySelector('h3')?.after(line);
+  }
+  if (line && line.textContent !== words) line.textContent = words;
+  if (line) line.hidden = !words;
+}
+
 export const closeButton = `<button data-close>${S.close}</button>`;
 
-export function escape(words) {
-  const span = document.createElement('span');
-  span.textContent = words;
-  return span.innerHTML.replaceAll('"', '&quot;'); // it may stand in an attribute, too
-}
+export { escape };
 
 export function message(title, text) {
   open(`<h3>${escape(title)}</h3><p>${escape(text)}</p><div class="buttons">${closeButton}</div>`);
 }
 
-const keyName = (code) => KEYS[code] || code.replace(/^Key/, '');
+export const keyName = (code) => KEYS[code] || code.replace(/^Key/, '');
 
 // The keys of the hand controller, then those of the page.
-function keyRows(display) {
+export function keyRows(display) {
   const controller = display?.controller;
   const rows = (controller?.axes || []).map((axis) => [
     axis.keys.map((pair) => pair.map(keyName).join(' / ')).join(` ${S.or} `),
@@ -48,9 +81,11 @@ function keyRows(display) {
 export function help(display) {
   const abort = display?.abort ? `: ${display.abort}` : '';
   const [[takeKey, takeWords], ...others] = HELP.map(([keys, what]) => [keys, fill(what, { abort })]);
-  const rows = [[takeKey, takeWords], ...keyRows(display), ...modeRows(display), ...others].map(([keys, what]) => (keys
+  const rows = [[takeKey, takeWords], ...keyRows(display), ...modeRows(display), ...others, ...REVIEW_HELP].map(([keys, what]) => (keys
     ? `<tr><td><kbd>${escape(keys)}</kbd></td><td>${escape(what)}</td></tr>` : `<tr><td colspan="2">${escape(what)}</td></tr>`));
-  open(`<h3>${S.help_title}</h3><table>${rows.join('')}</table><div class="buttons">${closeButton}</div>`);
+  const good = display?.guidance ? guidanceHtml(display.guidance) : '';
+  open(`<h3>${S.help_title}</h3><table>${rows.join('')}</table>${good}<div class="buttons"><button data-close data-key="Slash">${S.close}</button></div>`,
+  (dialog) => { dialog.dataset.passes = ''; });
 }
 
 export function refused(code) {
@@ -86,7 +121,7 @@ function changed(dialog, forms) {
 
 let written = {}; // into the forms, for the next time they are open
 
-export function newRun(store, start, error = '') {
+export function newRun(store, start, error = '', stop = null) {
   if (!store.can.fly) {
     message(S.new_run, S.no_fly);
     return;
@@ -100,7 +135,7 @@ export function newRun(store, start, error = '') {
     <label>${S.seed} <input id="new-seed" size="15" inputmode="numeric" placeholder="${S.seed_hint}"></label></p>
     <div class="forms">${forms.map((form) => formRows(form, written)).join('')}</div>
     <p id="new-error" class="alarm" role="alert">${escape(error)}</p>
-    <div class="buttons"><button data-close>${S.cancel}</button><button class="primary" id="new-start">${S.start}</button></div>`,
+    <div class="buttons"><button data-close>${S.cancel}</button>${stop ? `<button id="new-stop" title="${S.stop_hint}">${S.stop_run}</button>` : ''}<button class="primary" id="new-start">${S.start}</button></div>`,
   (dialog) => {
     dialog.classList.toggle('wide', forms.length > 0);
     dialog.onclose = () => dialog.classList.remove('wide');
@@ -114,6 +149,7 @@ export function newRun(store, start, error = '') {
       else dialog.querySelector('#new-error').textContent = refused(reply.code);
     };
     dialog.querySelector('#new-start').onclick = go;
+    if (stop) dialog.querySelector('#new-stop').onclick = () => { dialog.close(); stop(); };
     dialog.querySelector('#new-seed').onkeydown = (event) => { if (event.key === 'Enter') go(); };
     dialog.querySelector('#new-start').focus();
   });
@@ -126,7 +162,7 @@ export function verdict(v, canFly, again) {
   open(`<h3>${S.verdict_title}</h3>
     <p class="verdict ${good ? 'ok' : 'alarm'}" id="verdict-words">${good ? '✓' : '✗'} ${escape(sentence(v.words))}</p>
     <table>${row(S.verdict_time, `${number(v.duration, 1)} s`, '', null)}${rows.join('')}</table>
-    <div class="buttons">${closeButton}${canFly ? `<button class="primary" id="again">${S.fly_again}</button>` : ''}</div>`,
+    <div class="buttons">${closeButton}${canFly ? `<button class="primary" id="again" data-key="KeyN">${S.fly_again}</button>` : ''}</div>`,
   (dialog) => {
     const button = dialog.querySelector('#again');
     if (button) button.onclick = () => { dialog.close(); again(); };
@@ -138,17 +174,3 @@ export function runsShown() {
 }
 
 export const sentence = (words) => words.charAt(0).toUpperCase() + words.slice(1);
-
-export function runList(rows, choose) {
-  const lines = rows.map((row) => `<tr><td>${escape(row.name)}</td><td>${escape(row.mode || '')}</td>
-    <td class="${row.success ? 'ok' : ''}">${row.success ? '✓' : '✗'} ${escape(sentence((row.reason || '').replaceAll('_', ' ')))}</td>
-    <td><button data-run="${escape(row.name)}">${S.review_open}</button></td></tr>`);
-  open(`<h3 id="runs">${S.review_title}</h3><p class="dim">${S.review_truth}</p>
-    ${rows.length ? `<table>${lines.join('')}</table>` : `<p>${S.review_none}</p>`}
-    <p id="review-error" class="alarm"></p><div class="buttons">${closeButton}</div>`,
-  (dialog) => {
-    for (const button of dialog.querySelectorAll('[data-run]')) {
-      button.onclick = () => choose(button.dataset.run, dialog.querySelector('#review-error'));
-    }
-  });
-}

@@ -1,7 +1,9 @@
 // What a pilot reads: instruments, the cross-section, commands, round trip, the marks on the camera.
 
-import { BY, REASONS, S, fill } from './strings.js';
-import { COLOUR, begin, ring, say, text } from './canvas.js';
+import { pointTo } from './beyond.js';
+import { BLEND, cause, sentence, whoFlies } from './decided.js';
+import { S, fill } from './strings.js';
+import { COLOUR, begin, ring, say, small, text } from './canvas.js';
 import { drawPixels } from './cockpit.js';
 import { along, amount, number as read, part, place, sample } from './data.js';
 
@@ -124,6 +126,7 @@ export function drawSection(section, frame) {
   }
   text(pen, section.names?.[1] ?? axisName(section.up), cx + rem * 0.3, cy - size, COLOUR.dim);
   text(pen, section.names?.[0] ?? axisName(section.right), cx + size, cy - rem * 0.6, COLOUR.dim, 'right');
+  const said = []; // where words of arrows stand
   const at = (p) => [cx + along(section.right, p) * scale, cy - along(section.up, p) * scale];
   for (const spot of section.spots) {
     const p = place(frame, spot.place);
@@ -131,6 +134,10 @@ export function drawSection(section, frame) {
     const colour = COLOUR[spot.role];
     const [x, y] = at(p);
     pen.strokeStyle = colour;
+    if (Math.hypot(x - cx, y - cy) > size + 0.5 * rem) { // it lies beyond what the cut shows
+      pointTo(pen, [cx, cy], size, [x, y], colour, rem, spot.mark === 'cross' ? '' : `${(Math.hypot(x - cx, y - cy) / scale).toFixed(1)} m`, said);
+      continue;
+    }
     const from = spot.origin && place(frame, spot.origin);
     if (from) {
       pen.setLineDash([rem * 0.2, rem * 0.2]);
@@ -170,9 +177,10 @@ function barOf(colour) {
 }
 
 export class Commands {
-  setDisplay({ commands, link }) {
+  setDisplay(display) {
+    const { commands } = display;
+    this.display = display;
     this.commands = commands;
-    this.link = link;
     $('commands-title').textContent = commands.unit ? `${commands.title}, ${commands.unit}` : commands.title;
     const axes = commands.axes.map((axis) => element('span', 'dim', axis.name));
     const names = commands.rows.map((row) => element('span', row.role === 'automatic' ? 'auto' : '', row.label));
@@ -193,10 +201,10 @@ export class Commands {
       const values = said?.parts[row.value.part];
       this.commands.axes.forEach((axis, i) => this.bar(bars[i], values?.[i] ?? null, axis.highest));
     }
-    const words = sent && this.link ? [BY[sent.parts.by]] : [];
-    if (sent && sent.parts.weight !== null && sent.parts.by === 3) words.push(`${S.weight} ${sent.parts.weight}`);
-    if (sent && REASONS[sent.parts.reason]) words.push(REASONS[sent.parts.reason]);
-    say($('why'), words.join(' · '));
+    const found = whoFlies(this.display, frame);
+    const words = found ? [sentence(found)] : [cause(sent?.parts.reason)];
+    if (found?.pilot && sent.parts.weight !== null && sent.parts.by === BLEND) words.push(`${S.weight} ${sent.parts.weight}`);
+    say($('why'), words.filter(Boolean).join(' · '));
   }
 
   bar(bar, value, highest) {
@@ -244,26 +252,28 @@ export function dial(canvas, run, roundTrip, transit) {
   pen.stroke();
   pen.font = `600 ${1.35 * rem}px system-ui, sans-serif`;
   text(pen, roundTrip === undefined ? S.unknown : `${roundTrip.toFixed(1)} s`, cx, cy - rem * 0.05, COLOUR.text, 'center');
-  pen.font = `${0.7 * rem}px system-ui, sans-serif`;
-  text(pen, `${run.forward_s} + ${run.back_s} s`, cx, cy + rem * 1.05, COLOUR.dim, 'center');
+  pen.font = `${small(rem)}px system-ui, sans-serif`;
+  const legs = `${run.forward_s} + ${run.back_s} s`;
+  if (pen.measureText(legs).width < 1.55 * r) text(pen, legs, cx, cy + rem * 1.2, COLOUR.dim, 'center');
 }
 
-export function linkCounts(frame, measured, step) {
+export function linkCounts(frame, measured, step, now) {
   const { link, gap } = frame;
   const rows = [[S.link.transit, measured ? `${number(measured.transit, 2)} s` : S.unknown]];
   if (link) {
     rows.push([S.link.p99, `${number(link.delay_p99, 2)} s`], [S.link.lost, link.lost + link.outage],
       [S.link.late, link.late], [S.link.corrupted, link.corrupted]);
   }
-  rows.push([S.link.gap, gap ? fill(S.ago, { s: number((frame.k - gap.k) * step, 0) }) : S.unknown]);
+  rows.push([S.link.gap, gap ? fill(S.ago, { s: number(Math.max(now - gap.k * step, 0), 0) }) : S.unknown]);
   const html = rows.map(([name, value]) => `<dt>${name}</dt><dd>${value}</dd>`).join('');
   if ($('link-counts').innerHTML !== html) $('link-counts').innerHTML = html;
 }
 
 // -- marks on the camera ------------------------------------------------------------------------
 
-// Over its picture: a cross, the marks of the display, a gauge, the distance.
-export function reticle(canvas, scene, camera, frame) {
+// Over its picture: a cross, the marks of the display, a gauge, the distance; the lowest `covered`
+// pixels are left to what stands there.
+export function reticle(canvas, scene, camera, frame, covered) {
   const { pen, w, h, rem } = begin(canvas);
   const [cx, cy] = [w / 2, h / 2];
   pen.strokeStyle = '#dbe5ee90';
@@ -275,7 +285,10 @@ export function reticle(canvas, scene, camera, frame) {
   }
   pen.stroke();
   const carrier = scene.known(camera.carried_by);
-  if (!carrier) return;
+  if (!carrier) {
+    text(pen, S.no_telemetry, cx, cy + h * 0.36 + rem, COLOUR.dim, 'center');
+    return;
+  }
   const isTruth = carrier.item.role === 'truth'; // a prediction belongs to what was measured
   for (const mark of camera.marks) {
     const at = place(frame, mark.at);
@@ -294,7 +307,8 @@ export function reticle(canvas, scene, camera, frame) {
     pen.beginPath(); pen.moveTo(cx, cy); pen.lineTo(x, y); pen.stroke();
   }
   if (camera.pixels) drawPixels(pen, { w, h, rem }, camera.pixels, frame, scene.cameraTan);
-  if (camera.gauge) drawGauge(pen, w, h, rem, camera.gauge, frame, isTruth);
+  if (camera.gauge) drawGauge(pen, w, h - covered, rem, camera.gauge, frame, isTruth);
+  if (camera.numbers) return;
   const distance = camera.distance.map((one) => read(frame, one.value)).find((v) => v !== undefined);
   if (distance !== undefined) text(pen, `${number(distance, camera.digits)} ${camera.unit}`, rem * 0.6, h - rem * 0.9, COLOUR.measured);
 }

@@ -6,6 +6,7 @@ import { COLOUR, begin, text } from './canvas.js';
 
 const [SENT, DUE, EXECUTED, SEEN, REFUSED, MISSED, UNKNOWN] = [0, 1, 2, 3, 4, 5, 6];
 export const ABORT = 3; // kind of a command
+const NARROW_REM = 44; // a strip below this width has shorter names
 const KNOWN_S = 6; // how long known commands stay on the strip
 const MARK = { [EXECUTED]: '✓', [SEEN]: '✓', [REFUSED]: '✗', [MISSED]: '✗', [UNKNOWN]: '?' };
 
@@ -35,14 +36,15 @@ export function ladder(canvas, run, axes, rungs, now) {
   const { pen, w, h, rem } = begin(canvas);
   const k = now / run.step_s;
   const top = rem * 1.35;
-  const columns = [[0, 0.05, S.ladder_ground], [0.05, 0.42, S.ladder_link], [0.42, 0.5, S.ladder_craft],
-    [0.5, 0.8, S.ladder_back], [0.8, 1, S.ladder_known]];
+  const [ground, link, craft, back, known] = w < NARROW_REM * rem ? S.ladder_narrow
+    : [S.ladder_ground, S.ladder_link, S.ladder_craft, S.ladder_back, S.ladder_known];
+  const columns = [[0, 0.05, ground], [0.05, 0.42, link], [0.42, 0.5, craft], [0.5, 0.8, back], [0.8, 1, known]];
   for (const [from, to, name] of columns) {
-    pen.fillStyle = name === S.ladder_craft ? '#17222e' : '#0a1018';
+    pen.fillStyle = name === craft ? '#17222e' : '#0a1018';
     pen.fillRect(from * w + 1, top, (to - from) * w - 2, h - top);
     if (from !== 0) text(pen, name, ((from + to) / 2) * w, rem * 0.55, COLOUR.dim, 'center');
   }
-  text(pen, S.ladder_ground, 0, rem * 0.55, COLOUR.dim);
+  text(pen, ground, 0, rem * 0.55, COLOUR.dim);
   const lane = (h - top) / axes.length;
   axes.forEach((axis, i) => text(pen, axis.name, rem * 0.35, top + lane * (i + 0.5), COLOUR.dim));
   const width = Math.max(2, (0.37 * w) / Math.max(run.forward_s / run.step_s, 8) - 1);
@@ -84,7 +86,7 @@ export function counts(rungs) {
   const made = {};
   for (const rung of rungs) made[rung.state] = (made[rung.state] || 0) + 1;
   const underWay = (made[SENT] || 0);
-  const parts = [`${underWay} ${S.ladder_link}`];
+  const parts = [...(rungs.some(inForce) ? [S.aborted] : []), `${underWay} ${S.ladder_link}`];
   for (const state of [EXECUTED, SEEN, REFUSED, MISSED, UNKNOWN]) {
     if (made[state]) parts.push(`${made[state]} ${LADDER[state]}`);
   }

@@ -59,4 +59,7 @@ if (token) {
   history.replaceState({ token }, '', location.pathname + location.search); // the token does not stay on a shared screen
 }
 
+// Another address in the bar, with another token, loads no page by itself.
+addEventListener('hashchange', () => location.reload());
+
 export const link = token ? new Link(token) : null;

@@ -60,6 +60,7 @@ export class Orders {
     const { frame, verdict, connected } = this.store;
     if (verdict) return true;
     if (!frame || !connected) return false;
+    if (wish.do === 'stop') return this.store.status.phase !== 'flying';
     return wish.do === 'mode' ? frame.mode === wish.mode : Boolean(frame.paused) === (wish.do === 'pause');
   }
 }

@@ -2,16 +2,20 @@
 
 import { Charts } from './charts.js';
 import { Commands, Instruments, clock, dial, drawSection, linkCounts, number, reticle, setSection } from './instruments.js';
-import { COLOUR, say } from './canvas.js';
+import { COLOUR, begin, say } from './canvas.js';
+import { CameraDigits } from './digits.js';
 import { drawAttitude, drawLamps, setAttitude, setLamps } from './cockpit.js';
-import { sample } from './data.js';
+import { History, sample } from './data.js';
 import { counts, ladder } from './ladder.js';
 import { setModes } from './modes.js';
 import { scaleText } from './scene.js';
 import { S, fill } from './strings.js';
 
 const $ = (id) => document.getElementById(id);
+const CANVASES = ['section', 'lights', 'ladder', 'reticle', 'ball', 'dial'];
 const CHARTS_MS = 250; // between two looks at the charts
+
+const ahead = (s) => fill(s < 0 ? S.before : S.ahead, { s: number(Math.abs(s), 1) });
 
 export class Panels {
   // `choose` is called with the name of a mode whose button is pressed.
@@ -20,6 +24,7 @@ export class Panels {
     this.instruments = new Instruments();
     this.commands = new Commands();
     this.charts = new Charts();
+    this.digits = new CameraDigits();
     this.chartsAt = 0;
     this.text = '';
   }
@@ -36,6 +41,7 @@ export class Panels {
     this.instruments.setDisplay(display);
     this.commands.setDisplay(display);
     this.charts.setDisplay(display);
+    this.digits.setDisplay(display.camera);
     setSection(display.section);
     setAttitude(display.attitude);
     setLamps(display.lamps);
@@ -56,6 +62,7 @@ export class Panels {
       return entry;
     }));
     this.scene.setDisplay(display);
+    for (const id of CANVASES) begin($(id)); // also of a panel that this display has not
     $('views').replaceChildren(...display.views.map((view, i) => {
       const button = document.createElement('button');
       button.textContent = view.label;
@@ -83,7 +90,7 @@ export class Panels {
     const predicted = sample(frame, this.display.predicted);
     clock('gen', measured?.t, age, stale);
     clock('rx', measured?.received, since, stale);
-    clock('pred', predicted?.t, predicted ? fill(S.ahead, { s: number(predicted.t - now, 1) }) : '', stale);
+    clock('pred', predicted?.t, predicted ? ahead(predicted.t - now) : '', stale);
   }
 
   show({ run, frame, rungs, history, now, stale, until }) {
@@ -94,6 +101,7 @@ export class Panels {
     if (display.attitude) drawAttitude(display.attitude, frame);
     if (display.lamps) drawLamps(display.lamps, frame);
     this.commands.show(frame);
+    this.digits.show(frame, stale);
     if (display.link) this.showLink(run, frame, measured, rungs, now);
     this.scene.place(frame, history, now, stale);
     if (performance.now() - this.chartsAt > CHARTS_MS) {
@@ -102,14 +110,33 @@ export class Panels {
     }
   }
 
+  // Show that nothing is known: no number, line or mark of what was shown stays.
+  blank() {
+    const { display } = this;
+    if (!display) return;
+    const frame = { signals: {} };
+    this.clocks(frame, 0, '', '', false);
+    for (const panel of [this.instruments, this.commands, this.digits]) panel.show(frame, false);
+    if (display.section) drawSection(display.section, frame);
+    if (display.attitude) drawAttitude(display.attitude, frame);
+    if (display.lamps) drawLamps(display.lamps, frame);
+    for (const id of ['dial', 'ladder']) begin($(id));
+    for (const id of ['ladder-counts', 'link-counts']) $(id).textContent = '';
+    this.charts.blank(new History(display, 0));
+    this.scene.place(null, null, 0, false);
+    this.showReticle(frame);
+  }
+
   showLink(run, frame, measured, rungs, now) {
     dial($('dial'), run, frame.round_trip, measured?.transit);
-    linkCounts(frame, measured, run.step_s);
+    linkCounts(frame, measured, run.step_s, now);
     ladder($('ladder'), run, this.display.commands.axes, rungs, now);
     say($('ladder-counts'), counts(rungs));
   }
 
   showReticle(frame) {
-    if (this.display?.camera && frame) reticle($('reticle'), this.scene, this.display.camera, frame);
+    if (!this.display?.camera || !frame) return;
+    reticle($('reticle'), this.scene, this.display.camera, frame, this.digits.height);
+    this.digits.field(this.scene.cameraTan);
   }
 }

@@ -6,6 +6,7 @@ import { Path, Tube, colourOf, figure, sky, surface } from './shapes.js';
 import { SOFTWARE } from './canvas.js';
 import { OutlineRenderer } from './outline.js';
 import { DIRECTIONS, along, part, place, trailOf } from './data.js';
+import { fieldOf } from './field.js';
 import { S, fill } from './strings.js';
 
 const CARRIED = 1; // layer of what moves, which a camera on board does not see
@@ -96,6 +97,7 @@ export class Scene {
       focus: view.kind === 'perspective' ? new THREE.Vector3(...lookedAt(view, null)) : null }));
     if (this.display === null || this.chosen >= display.views.length) this.chosen = 0;
     this.display = display;
+    this.cameraTan = undefined;
     this.frame = null;
     this.shot = [];
   }
@@ -175,7 +177,7 @@ export class Scene {
     const inside = (r) => ({ left: r.left - left, bottom: top + height - r.bottom, width: r.width, height: r.height });
     this.places = { view: inside(rects[0]), camera: inside(rects[1]) };
     const { canvas } = this;
-    Object.assign(canvas.style, { left: `${left}px`, top: `${top}px`, width: `${width}px`, height: `${height}px` });
+    Object.assign(canvas.style, { left: `${left + scrollX}px`, top: `${top + scrollY}px`, width: `${width}px`, height: `${height}px` });
     const ratio = Math.min(devicePixelRatio || 1, Math.sqrt(MAX_PIXELS / Math.max(width * height, 1)));
     this.renderer.setPixelRatio(ratio * this.quality);
     this.renderer.setSize(width, height, false);
@@ -229,13 +231,21 @@ export class Scene {
     const flat = chosen.kind === 'flat';
     if (flat) for (const { object } of this.bodies) object.scale.setComponent('xyz'.indexOf(chosen.up[1]), 1 / chosen.stretch);
     const lens = flat ? this.flat(chosen, view) : this.orbit(chosen, view);
+    this.lens = lens;
     this.into(view, lens, !flat);
     this.label(lens, view, flat ? chosen : null);
     if (flat) for (const { object } of this.bodies) object.scale.set(1, 1, 1);
     if (!this.display.camera || camera.height <= 20) return;
     // The camera sees what does not move, so its picture changes with its place alone.
-    const { at, turn } = eyeOf(this.display.camera, this.known(this.display.camera.carried_by));
+    const carrier = this.known(this.display.camera.carried_by);
+    if (!carrier) { // before any telemetry it shows nothing
+      if (this.shot !== null) this.blank(camera);
+      this.shot = null;
+      return;
+    }
+    const { at, turn } = eyeOf(this.display.camera, carrier);
     const now = [...at, ...turn];
+    this.shot ??= [];
     if (now.some((c, i) => c !== this.shot[i])) {
       this.shot = now;
       this.aim(this.display.camera, at, turn, camera);
@@ -280,19 +290,23 @@ export class Scene {
     lens.position.set(...eye);
     lens.lookAt(lens.position.clone().add(vector(camera.look).applyQuaternion(turned)));
     const range = Math.max(along(camera.look, camera.aim_m) - along(camera.look, eye), 0.4);
-    const [least, most] = camera.half_field;
-    this.cameraTan = Math.max(least, Math.min(most, camera.half_height_m / range));
+    this.cameraTan = fieldOf(camera, range, this.cameraTan);
     lens.fov = (2 * Math.atan(this.cameraTan) * 180) / Math.PI;
     lens.aspect = rect.width / Math.max(rect.height, 1);
     lens.updateProjectionMatrix();
     lens.updateMatrixWorld();
   }
 
-  into(rect, lens, withSky) {
+  // Draw nothing into a rectangle.
+  blank(rect) {
     this.renderer.setViewport(rect.left, rect.bottom, rect.width, rect.height);
     this.renderer.setScissor(rect.left, rect.bottom, rect.width, rect.height);
     this.renderer.setClearColor(0x05080c, 1);
     this.renderer.clear(true, true);
+  }
+
+  into(rect, lens, withSky) {
+    this.blank(rect);
     if (withSky) {
       const place = lens.position.clone();
       lens.position.set(0, 0, 0);
@@ -348,6 +362,13 @@ export class Scene {
     }
   }
 
+  // Where a point appears in the view, in pixels from its upper left corner; null behind, or before a picture.
+  onView(at) {
+    if (!this.lens) return null;
+    const p = new THREE.Vector3(...at).project(this.lens);
+    return p.z > 1 ? null : [((p.x + 1) / 2) * this.places.view.width, ((1 - p.y) / 2) * this.places.view.height];
+  }
+
   // Where a point appears on the camera, in shares of its half width and height; null behind.
   onCamera(at) {
     const p = new THREE.Vector3(...at).project(this.onboard);
@@ -376,9 +397,8 @@ export class Scene {
   }
 }
 
-// Where a camera is and how it is turned, on the body that carries it; at its start before that is known.
+// Where a camera is and how it is turned, on the body that carries it.
 function eyeOf(camera, carrier) {
-  if (!carrier) return { at: camera.start_m, turn: [0, 0, 0, 1] };
   const turn = (camera.turns && carrier.turn) || [0, 0, 0, 1];
   const arm = new THREE.Vector3(...camera.at_m).applyQuaternion(new THREE.Quaternion(...turn));
   return { at: [carrier.at[0] + arm.x, carrier.at[1] + arm.y, carrier.at[2] + arm.z], turn };

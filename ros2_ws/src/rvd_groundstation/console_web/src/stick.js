@@ -19,8 +19,10 @@ export function shaped(value, deadZone) {
 }
 
 export class Stick {
-  constructor(onChange) {
+  // `barred` says what keeps the pilot from the stick, a dialog or a review; '' when nothing does.
+  constructor(onChange, barred = () => '') {
     this.onChange = onChange;
+    this.barred = barred;
     this.down = new Set();
     this.step = 1;
     this.source = 'keyboard';
@@ -145,6 +147,7 @@ export class Stick {
   }
 
   poll() {
+    if (this.barred()) this.down.clear(); // what is held then was not meant for flying
     this.pads = connected();
     const pad = this.choose();
     if (pad?.id !== this.gamepad?.id || pad?.index !== this.gamepad?.index) this.disarm();
@@ -155,10 +158,15 @@ export class Stick {
     this.send(false);
   }
 
+  // Whether there is somebody who looks at the flight.
+  free() {
+    return there() && !this.barred();
+  }
+
   // Whether the dead-man of the gamepad is held, and counts.
   holds() {
     const pad = this.gamepad;
-    return this.source === 'gamepad' && there() && pad !== null && this.ready(pad) && pressed(pad, this.button(pad));
+    return this.source === 'gamepad' && this.free() && pad !== null && this.ready(pad) && pressed(pad, this.button(pad));
   }
 
   // Whether the gamepad that was flown with is not there any more: nobody flies until a key does.
@@ -195,7 +203,7 @@ export class Stick {
       if (this.keys.has(code)) at[this.keys.get(code)[0]] += this.keys.get(code)[1];
     }
     const deflection = this.deflections[this.step - 1];
-    return this.withButtons({ held: there() && (!this.settings.holdSpace || this.down.has('Space')),
+    return this.withButtons({ held: this.free() && (!this.settings.holdSpace || this.down.has('Space')),
       at: at.map((v) => Math.max(-1, Math.min(1, v)) * deflection) });
   }
 

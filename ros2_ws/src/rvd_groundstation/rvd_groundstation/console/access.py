@@ -2,9 +2,9 @@
 Who may talk to the console: token, Host, Origin, and how often.
 
 Host is checked against DNS rebinding, Origin against pages of other sites that open sockets
-here, the token against everybody else on this machine. These come first, and who fails them
-takes nothing from who does not: `Throttle` refuses, `Pace` lets wait. No clock of its own:
-instants are given [s].
+here, the tokens against everybody else on this machine: the pilot's, and the watchers', which
+only lets look. These come first, and who fails them takes nothing from who does not: `Throttle`
+refuses, `Pace` lets wait. No clock of its own: instants are given [s].
 """
 
 import hmac
@@ -18,8 +18,10 @@ TOKEN_BYTES = 16                # 128 bits
 SUBPROTOCOL = 'rvd.console.1'
 TOKEN_PREFIX = 'token.'         # the token travels as a second subprotocol of the handshake
 
-CONTENT_POLICY = ("default-src 'self'; base-uri 'none'; form-action 'none'; "
-                  "frame-ancestors 'none'; object-src 'none'")
+# What is not named is forbidden. A picture or a video of the page's own is a blob.
+CONTENT_POLICY = ("default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; "
+                  "worker-src 'self'; img-src 'self' blob:; media-src 'self' blob:; "
+                  "base-uri 'none'; form-action 'none'; frame-ancestors 'none'")
 HEADERS = {
     'Content-Security-Policy': CONTENT_POLICY,
     'X-Content-Type-Options': 'nosniff',
@@ -63,6 +65,7 @@ class Access:
     bind: str
     port: int
     secure: bool = False
+    watch_token: str = ''       # empty: nobody may only watch
 
     @property
     def hosts(self) -> frozenset[str]:
@@ -76,8 +79,16 @@ class Access:
     @property
     def url(self) -> str:
         """The address to open; the token is in the fragment, which no request carries."""
+        return self._address(self.token)
+
+    @property
+    def watch_url(self) -> str:
+        """The address for those who only watch."""
+        return self._address(self.watch_token)
+
+    def _address(self, token: str) -> str:
         scheme = 'https' if self.secure else 'http'
-        return f'{scheme}://{self._host}:{self.port}/#{self.token}'
+        return f'{scheme}://{self._host}:{self.port}/#{token}'
 
     def refusal(self, host: str | None, origin: str | None, must_have_origin: bool) -> str | None:
         """Return why a request with these headers is refused, None when it is not."""
@@ -89,10 +100,29 @@ class Access:
         return None if origin in {f'{scheme}://{ours}' for ours in self.hosts} else 'ORIGIN'
 
     def knows(self, token: str | None) -> bool:
-        """Say whether this is the token, in a time that does not depend on it."""
-        # what is no UTF-8 in a header comes as lone surrogates
-        return token is not None and hmac.compare_digest(
-            token.encode('utf-8', 'surrogatepass'), self.token.encode())
+        """Say whether this is the pilot's token, in a time that does not depend on it."""
+        return _same(token, self.token)
+
+    def watches(self, token: str | None) -> bool:
+        """Say whether this is the token of those who only watch, likewise."""
+        return _same(token, self.watch_token)
+
+    def proofs(self, host: str, nonce: str) -> list[str]:
+        """
+        Return what only a server can say that has the tokens of a page, for each of them.
+
+        A page that comes back asks for it before it shows its token: another program may have
+        taken the place of a server that has ended.
+        """
+        words = f'{host} {nonce}'.encode()
+        return [hmac.new(token.encode(), words, 'sha256').hexdigest()
+                for token in (self.token, self.watch_token) if token]
+
+
+def _same(token: str | None, ours: str) -> bool:
+    # what is no UTF-8 in a header comes as lone surrogates
+    return token is not None and ours != '' and hmac.compare_digest(
+        token.encode('utf-8', 'surrogatepass'), ours.encode())
 
 
 def token_of(subprotocols: list[str]) -> str | None:

@@ -11,7 +11,7 @@ import math
 import re
 from typing import Any
 
-from rvd_dynamics.commands.codes import BY_AUTO, KIND_THRUST, REASON_NONE
+from rvd_dynamics.commands.codes import KIND_THRUST, REASON_NONE
 from rvd_dynamics.diagram.limits import LARGEST
 from rvd_dynamics.diagram.signal import VALUES
 from rvd_dynamics.link.frame import Downlink, Refusal, ReplayWindow, unpack_downlink
@@ -127,12 +127,17 @@ def values_of(message: Any) -> Sample:
 
 
 def command_of_values(message: Any) -> Sample:
-    """Return a command as `Values` with the parts of `command_of`, as far as it has them."""
+    """
+    Return a command as `Values` with the parts of `command_of`, as far as it has them.
+
+    `by` is None where the command does not tell who decided it.
+    """
     sample = values_of(message)
     given = sample.parts
     sample.parts = {
         'value': given.get('command', []), 'kind': int(given.get('kind', KIND_THRUST)),
-        'by': int(given.get('decided_by', BY_AUTO)), 'weight': given.get('pilot_weight', math.nan),
+        'by': int(given['decided_by']) if 'decided_by' in given else None,
+        'weight': given.get('pilot_weight', math.nan),
         'reason': int(given.get('reason', REASON_NONE)), 'sequence': message.step + 1}
     return sample
 

@@ -12,6 +12,11 @@ decision tree gives the range, the pilot picks in it) and NASA-TLX (S. G. Hart, 
 also says, once for each condition, which scale of each of the 15 pairs counted more, and the
 times a scale was chosen are its weight. All is written under a pseudonym, ratings beside the
 bag, weights in the volunteer's folder; no name is ever asked.
+
+Which flights count is said by what was flown, as `verdict.json` has it of the bag, and not by what
+was asked for: a flight in another mode than its condition's, one that was paused or aborted, or
+whose verdict is not to be trusted, is kept with the reason (`ratings.json`: counted, why) and flown
+again, with the same start.
 """
 
 import json
@@ -24,8 +29,10 @@ from typing import Any
 
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.display import MODES
+from rvd_dynamics.diagram.judge import ABORTED
 from rvd_dynamics.given import mapping_of, object_of, text_of
 from rvd_dynamics.recording import whole
+from rvd_groundstation.console.counted import why_not
 
 TLX = ('mental', 'physical', 'temporal', 'performance', 'effort', 'frustration')
 TLX_KINDS = ('raw', 'weighted')
@@ -33,6 +40,8 @@ KEYS = ('title', 'seed', 'conditions', 'training', 'flights', 'break_after', 'br
         'note')
 MAX_VOLUNTEERS = 999
 RATINGS, WEIGHTS = 'ratings.json', 'tlx_weights.json'
+MAX_VERDICT_BYTES = 1 << 20      # [B] of a verdict.json: a few kilobytes
+BROKEN_OFF = 'The last flight was broken off: it is flown again.'
 
 
 @dataclass(frozen=True)
@@ -162,7 +171,9 @@ class Desk:
     """
     Where a session stands. `do` takes the requests of the page, `flown` the verdicts.
 
-    Stages: door (which volunteer?), ready, flying, rate, weigh, rest, done.
+    Stages: door (which volunteer?), ready, flying, rate, closing, weigh, broken, rest, done.
+    A verdict is rated as soon as it is known; what was rated is written, and the next flight can
+    be ordered, once the run's folder is whole.
     """
 
     def __init__(self, session: Session, folder: Path) -> None:
@@ -176,6 +187,9 @@ class Desk:
         self._reason = ''                       # the judge's, empty before the verdict
         self._verdict: dict[str, Any] = {}      # of it: success and words, for the page
         self._rest_until = 0.0
+        self._closing = False                   # there is a verdict, but not yet a whole folder
+        self._rated: tuple[dict, dict] | None = None    # meanwhile: Cooper-Harper, TLX
+        self._why = ''                          # the last flight does not count
         try:
             folder.mkdir(parents=True, exist_ok=True)
         except OSError as error:
@@ -189,11 +203,12 @@ class Desk:
 
     def view(self) -> dict[str, Any]:
         """Return what the page shows."""
-        made: dict[str, Any] = {'type': 'desk', 'stage': self._stage, 'title': self.session.title}
+        made: dict[str, Any] = {'type': 'desk', 'stage': self._stage, 'title': self.session.title,
+                                'closing': self._closing, 'why': self._why}
         if self._stage != 'door':
             made.update({'who': self.pseudonym, 'of': len(self._plan),
                          'number': min(self._at + 1, len(self._plan))})
-        if self._stage in ('ready', 'flying', 'rate', 'weigh'):
+        if self._stage in ('ready', 'flying', 'rate', 'closing', 'weigh', 'broken'):
             flight = self._plan[self._at]
             made.update({'condition': flight.condition, 'mode': flight.mode,
                          'training': flight.training, 'verdict': self._verdict})
@@ -214,6 +229,8 @@ class Desk:
             sentence when the disk does not take it: the stage is then what it was.
         """
         act = content.get('act')
+        if self._closing and act in ('fly', 'leave', 'begin', 'go_on'):
+            raise BadInput('CLOSING')
         if act == 'begin' and self._stage in ('door', 'done'):
             self._begin(content.get('volunteer'))
         elif act == 'fly' and self._stage == 'ready':
@@ -222,8 +239,8 @@ class Desk:
             self._rate(content)
         elif act == 'weigh' and self._stage == 'weigh':
             self._weigh(content)
-        elif act == 'go_on' and self._stage == 'rest':
-            self._stage = 'ready'
+        elif act == 'go_on' and self._stage in ('rest', 'broken'):
+            self._stage, self._why = 'ready', ''
         elif act == 'leave' and self._stage != 'flying':
             self._stage = 'door'
         else:
@@ -236,7 +253,8 @@ class Desk:
             raise BadInput('VOLUNTEER')
         self._volunteer, self._plan = volunteer, plan(self.session, volunteer)
         rated = {file.parent.name.split('.')[0]
-                 for file in (self._folder / self.pseudonym).glob(f'*/{RATINGS}')}
+                 for file in (self._folder / self.pseudonym).glob(f'*/{RATINGS}')
+                 if object_of(file, 'rating').get('cooper_harper') is not None}
         self._at = next((i for i, f in enumerate(self._plan) if f.folder not in rated),
                         len(self._plan))
         self._stage = 'ready' if self._at < len(self._plan) else 'done'
@@ -250,22 +268,57 @@ class Desk:
             again += 1
             out = f'{self.pseudonym}/{flight.folder}.{again}'
         self._attempt, self._stage, self._reason, self._verdict = out, 'flying', '', {}
+        self._why, self._rated = '', None
         return {'mode': flight.mode, 'seed': flight.seed, 'out': out}
 
     def flown(self, verdict: dict[str, Any]) -> None:
-        """Be told that the flight under way has its verdict."""
-        if self._stage == 'flying':
-            self._reason = verdict['reason']
-            self._verdict = {key: verdict[key] for key in ('success', 'words')}
+        """Be told that the flight under way has its verdict: it is rated while it is fresh."""
+        if self._stage != 'flying':
+            return
+        self._reason = verdict['reason']
+        self._verdict = {key: verdict[key] for key in ('success', 'words')}
+        self._stage, self._closing = 'rate', True
+        if self._reason == ABORTED and not self._plan[self._at].training:
+            self._stage, self._why = 'broken', why_not(
+                {'flown': {'modes': {}, 'aborted': True}}, '')
 
     def ended(self, run: str | None) -> None:
         """
-        Be told that a run is over and its folder whole: only now it may be rated.
+        Be told that a run is over and its folder whole: only now it is known whether it counts.
 
-        One that left no verdict is flown again.
+        One that left no verdict is flown again, as is one that does not count.
         """
-        if self._stage == 'flying' and run == self._attempt:
-            self._stage = 'rate' if self._reason else 'ready'
+        if run != self._attempt or not (self._closing or self._stage == 'flying'):
+            return
+        flight, rated = self._plan[self._at], self._rated
+        self._closing, self._rated = False, None
+        try:
+            content = object_of(self._folder / run / 'verdict.json', 'verdict', MAX_VERDICT_BYTES)
+        except BadInput:
+            content = {}
+        why = '' if flight.training else why_not(content, flight.mode)
+        try:
+            if why and (self._reason or content.get('flown', {}).get('aborted')):
+                self._stage, self._why = 'broken', why
+                self._write(None, None, why)
+            elif not self._reason:
+                self._stage, self._why = 'ready', BROKEN_OFF
+            elif rated is not None:
+                self._keep(*rated)
+        except BadInput as error:               # of the disk: the rating can be given again
+            self._stage, self._why = 'rate', str(error)
+
+    def refuses(self, do: str, aborted: bool) -> str:
+        """
+        Return the code with which a request that steers a run is refused; empty: it is not.
+
+        What a flight is flown in, and when, is the session's. ABORT is for safety and never
+        refused; a flight that was aborted does not count any more and may be ended.
+        """
+        if do == 'stop':
+            return '' if aborted or self._stage != 'flying' else 'SESSION_STOP'
+        return {'mode': 'SESSION_MODE', 'pause': 'SESSION_PAUSE', 'fly': 'DESK',
+                'quit': 'SESSION_STOP' if self._stage == 'flying' else ''}.get(do, '')
 
     def _rate(self, content: dict[str, Any]) -> None:
         harper, tlx = content.get('cooper_harper'), content.get('tlx')
@@ -282,8 +335,16 @@ class Desk:
         if not all(isinstance(v, int) and not isinstance(v, bool) and 0 <= v <= 100 and v % 5 == 0
                    for v in values):
             raise BadInput('TLX')
-        self._write(dict(zip(('controllable', 'adequate', 'satisfactory'), answers)) | {
+        given = (dict(zip(('controllable', 'adequate', 'satisfactory'), answers)) | {
             'rating': rating}, dict(zip(TLX, values)))
+        if self._closing:                       # whether the flight counts is not known yet
+            self._stage, self._rated = 'closing', given
+        else:
+            self._keep(*given)
+
+    def _keep(self, harper: dict, tlx: dict) -> None:
+        """Write a rating and go on."""
+        self._write(harper, tlx)
         if self._has_to_weigh(self._at):
             self._stage = 'weigh'
         else:
@@ -317,12 +378,14 @@ class Desk:
         file = self._folder / self.pseudonym / WEIGHTS
         return object_of(file, 'table of weights') if file.is_file() else {}
 
-    def _write(self, harper: dict, tlx: dict) -> None:
+    def _write(self, harper: dict | None, tlx: dict | None, why: str = '') -> None:
+        """Write what is known of a flight; one that does not count has no rating, but a reason."""
         flight = self._plan[self._at]
         made = {'volunteer': self.pseudonym, 'session': self.session.title,
                 'number': flight.number, 'condition': flight.condition, 'mode': flight.mode,
                 'training': flight.training, 'seed': flight.seed, 'reason': self._reason,
-                'cooper_harper': harper, 'tlx': {**tlx, 'mean': sum(tlx.values()) / len(tlx)}}
+                'counted': not (flight.training or why), 'why': why, 'cooper_harper': harper,
+                'tlx': tlx and {**tlx, 'mean': sum(tlx.values()) / len(tlx)}}
         _write(self._folder / self._attempt / RATINGS, made)
 
     def _go_on(self) -> None:

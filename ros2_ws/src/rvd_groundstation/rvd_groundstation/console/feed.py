@@ -6,6 +6,8 @@ Clocks  every shown signal carries the instant it is valid for, and where it cam
 Truth   never enters here: the feed is filled from what is on the ground, and from `/run/*`.
 """
 
+from collections import deque
+from dataclasses import replace
 from typing import Any
 
 from rvd_dynamics.diagram.control import MODE_EVENT, MODE_WORDS
@@ -14,6 +16,7 @@ from rvd_groundstation.console.decode import EMPTY, Heard, Lost, Sample
 from rvd_groundstation.console.ladder import Ladder
 from rvd_groundstation.console.provider import MissionDisplay, PILOT
 
+AFTER_STEPS = 50                # predictions kept beyond the forward delay: steps after the end
 TRAIL_S = 0.5                   # [s] between two points of the trails that late pages get
 
 
@@ -34,13 +37,37 @@ class Feed:
         self._gap: dict[str, Any] | None = None
         self._link: dict[str, Any] | None = None
         self._derived: dict[str, Any] | None = None     # None: to be derived anew
+        self._predicted: deque[Sample] = deque(maxlen=self.facts.forward_steps + AFTER_STEPS)
+        self._ended = False                     # what is predicted for later is not shown
 
     # -- what comes in --------------------------------------------------------------------
 
     def signal(self, name: str, sample: Sample) -> None:
         """Take in the newest of a signal."""
+        if name == self.display.predicted:
+            if self._ended:
+                return
+            self._predicted.append(sample)
         self._newest[name] = sample
         self._derived = None
+
+    def settle(self, t: float) -> None:
+        """
+        Let the run have ended at instant `t` [s]: what was predicted for then is what stays.
+
+        The newest prediction is for later, when the craft has docked or is past the plane.
+        """
+        self._ended = True
+        before = [sample for sample in self._predicted if sample.ok and sample.t <= t]
+        after = [sample for sample in self._predicted if sample.ok and sample.t > t]
+        if not before:
+            return
+        shown = between(before[-1], after[0], t) if after else before[-1]
+        self._newest[self.display.predicted], self._derived = shown, None
+        for trail in self.display.trails():
+            if trail.place.signal == self.display.predicted:
+                self.trails[trail.name] = [
+                    row for row in self.trails[trail.name] if row[1] <= shown.t]
 
     def telemetry(self, content: Heard | Lost) -> None:
         """Take in what came down in a step: the signal that is shown as measured, or nothing."""
@@ -152,3 +179,12 @@ class Feed:
             'forward_s': f.forward_s, 'back_s': f.back_s, 'mode': f.mode,
             'operator': f.operator, 'seed': f.seed, 'pace': f.pace,
             'display': as_data(self.display)}
+
+
+def between(a: Sample, b: Sample, t: float) -> Sample:
+    """Return what lies between two samples at instant `t` [s], in a straight line."""
+    share = (t - a.t) / (b.t - a.t)
+    parts = {name: [x + share * (y - x) for x, y in zip(value, b.parts[name])]
+             if isinstance(value, list) and len(value) == len(b.parts.get(name, ())) else value
+             for name, value in a.parts.items()}
+    return replace(a, t=t, parts=parts)

@@ -2,31 +2,26 @@
 The middle of the console: pages on one side, one run after the other on the other side.
 
 Lives on the event loop's thread alone; the ROS side hands in what it decoded through `post`,
-which any thread may call. The lease says who flies. Whoever holds the token may abort.
+which any thread may call. The lease says who flies. Whoever holds the pilot's token may abort;
+a watcher's page asks for nothing.
 """
 
 import asyncio
 import json
-import math
 import time
 from collections import deque
-from dataclasses import dataclass, field
 from typing import Any, Callable, Protocol
 
-from rvd_groundstation.console.access import Throttle
-from rvd_groundstation.console.clients import Outbox
 from rvd_groundstation.console.feed import Feed
 from rvd_groundstation.console.lease import Lease
+from rvd_groundstation.console.pages import Client, Pages
 from rvd_groundstation.console.protocol import (
-    encode, flight_wish, NEEDS_LEASE, PAGE_BURST, PAGE_RATE, Refused, RELEASED, Request,
-    request_of, Stick, stick_of)
+    flight_wish, NEEDS_LEASE, OF_WATCHERS, Refused, RELEASED, Request, request_of, Stick, stick_of)
 from rvd_groundstation.console.provider import MissionDisplay
 from rvd_dynamics.bad_input import BadInput
+from rvd_dynamics.diagram.aborts import ABORT_EVENT
 
 FRAME_S = 1.0 / 30              # [s] wall time: a page gets no more frames than this
-WATCH_S = 0.1                   # [s] likewise, pages that only watch
-HANDFUL = 4                     # [pages] watchers served at a time
-HAND_S = 0.016                  # [s] wall time between two handfuls: 50 pages get 5 frames a second
 HOUSEKEEPING_S = 0.25           # [s] wall time
 MAX_CLIENTS = 51                # 50 watchers and a pilot
 STICK_S = 0.5                   # [s] wall time after which a held stick is no pilot
@@ -47,18 +42,6 @@ class Bridge(Protocol):
         """Put an event on /run/events."""
 
 
-@dataclass(eq=False)
-class Client:
-    """One page."""
-
-    number: int
-    outbox: Outbox = field(default_factory=Outbox)
-    wake: asyncio.Event = field(default_factory=asyncio.Event)
-    throttle: Throttle = field(default_factory=lambda: Throttle(PAGE_RATE, PAGE_BURST))
-    closing: str = ''
-    cut: Callable[[], None] = lambda: None      # end the connection, whatever it is waiting for
-
-
 class Hub:
     """
     Pages, lease, the current run, and what they say to each other.
@@ -70,15 +53,17 @@ class Hub:
     def __init__(self, ask: Callable[[dict], None] | None = None, desk: Any = None,
                  display: dict[str, Any] | None = None, mode: str = '') -> None:
         self.lease = Lease()
-        self.clients: set[Client] = set()
+        self.pages = Pages(self.lease)
         self.desk = desk
         self._display, self._mode = display, mode
         self.feed: Feed | None = None
         self.run_name: str | None = None        # folder name of the run under way
         self.phase = 'idle'                     # idle, starting, flying, closing, ended
         self.note = ''
+        self.progress = ''                      # of a start: how many nodes are ready
         self.verdict: dict | None = None
         self.pilot_lost = False
+        self.aborted = False                    # an ABORT was asked for, by whomever
         self.sticks = 0
         self._ask = ask
         self._bridge: Bridge | None = None
@@ -86,39 +71,42 @@ class Hub:
         self._loop: asyncio.AbstractEventLoop | None = None
         self._fresh = asyncio.Event()
         self._numbers = 0
-        self._frame = 0
-        self._shown = {'pilot': 0, 'watch': 0}  # ladder versions
-        self._watch_at = 0.0                    # when watchers may have the next frame
-        self._watchers_due: asyncio.TimerHandle | None = None
         self._stick: tuple[float, Stick] | None = None
 
     # -- pages ----------------------------------------------------------------------------
 
-    def join(self) -> Client | None:
-        """Return a new client with all it needs to begin, or None when the house is full."""
-        if len(self.clients) >= MAX_CLIENTS:
+    def join(self, watches: bool = False) -> Client | None:
+        """
+        Return a new client with all it needs to begin, or None when the house is full.
+
+        One that came with a watcher's token `watches`.
+        """
+        if len(self.pages.clients) >= MAX_CLIENTS:
             return None
         self._numbers += 1
-        client = Client(self._numbers)
-        self.clients.add(client)
-        self._tell(client, {
+        client = Client(self._numbers, watches=watches)
+        self.pages.clients.add(client)
+        self.pages.tell(client, {
             'type': 'hello', 'you': client.number,
-            'can': {'fly': self._ask is not None, 'desk': self.desk is not None},
-            'display': self._display, 'mode': self._mode})
+            'can': {'fly': self._ask is not None, 'desk': self.desk is not None,
+                    'steer': not watches},
+            'flown': self.feed is not None, 'display': self._display, 'mode': self._mode})
         if self.feed is not None:
-            self._tell(client, {**self.feed.run_message(self.run_name or ''),
-                                'trails': self.feed.trails,
-                                'ladder': self.feed.ladder.changes()})
+            self.pages.tell(client, {
+                **self.feed.run_message(self.run_name or ''), 'trails': self.feed.trails,
+                'ladder': self.feed.ladder.changes()})
         if self.verdict is not None:
-            self._tell(client, self.verdict)
+            self.pages.tell(client, self.verdict)
+        if self.feed is not None and self.feed.step >= 0:       # none comes in a pause, or later
+            self.pages.tell(client, self.pages.last_frame())
         if self.desk is not None:
-            self._tell(client, self.desk.view())
+            self.pages.tell(client, self.desk.view())
         self._status()
         return client
 
     def leave(self, client: Client) -> None:
         """Forget a page; if it was the pilot's, the pilot is lost."""
-        self.clients.discard(client)
+        self.pages.clients.discard(client)
         if self.lease.drop(client):
             self._lost('the page of the pilot is gone')
         self._status()
@@ -131,7 +119,7 @@ class Hub:
         try:
             sample = stick_of(data)
         except Refused as refusal:
-            self._tell(client, {'type': 'refused', 'code': str(refusal)})
+            self.pages.tell(client, {'type': 'refused', 'code': str(refusal)})
             return
         self.sticks += 1
         self._stick = (now, sample)
@@ -152,8 +140,8 @@ class Hub:
             wish = request_of(text, self._modes())
             self._do(client, wish)
         except Refused as refusal:
-            self._tell(client, {'type': 'reply', 'id': _id_in(text), 'ok': False,
-                                'code': str(refusal)})
+            self.pages.tell(client, {'type': 'reply', 'id': _id_in(text), 'ok': False,
+                                     'code': str(refusal)})
 
     def _allowed(self, client: Client, now: float) -> bool:
         if client.throttle.allow(now):
@@ -163,8 +151,13 @@ class Hub:
         return False
 
     def _do(self, client: Client, wish: Request) -> None:
+        if client.watches and wish.do not in OF_WATCHERS:
+            raise Refused('WATCH')
         if wish.do in NEEDS_LEASE and self.lease.holder is not client:
             raise Refused('LEASE')
+        refused = self.desk.refuses(wish.do, self.aborted) if self.desk is not None else ''
+        if refused:
+            raise Refused(refused)
         if wish.do == 'take':
             if not self.lease.take(client, time.monotonic()):
                 raise Refused('TAKEN')
@@ -192,7 +185,8 @@ class Hub:
         mode, feed = wish.content.get('mode', ''), self.feed
 
         def no_answer() -> None:
-            self._tell(client, {'type': 'reply', 'id': wish.id, 'ok': False, 'code': 'NO_ANSWER'})
+            self.pages.tell(client, {'type': 'reply', 'id': wish.id, 'ok': False,
+                                     'code': 'NO_ANSWER'})
         timer = asyncio.get_running_loop().call_later(ANSWER_S, no_answer)
 
         def reply(accepted: bool, text: str) -> None:
@@ -215,8 +209,6 @@ class Hub:
     def _ask_for(self, wish: Request) -> None:
         if self._ask is None:
             raise Refused('NO_FLY')
-        if self.desk is not None and wish.do == 'fly':
-            raise Refused('DESK')               # the session says what is flown
         self._ask({'do': wish.do, **(flight_wish(wish.content, self._modes())
                                      if wish.do == 'fly' else {})})
         if wish.do == 'fly':
@@ -232,10 +224,10 @@ class Hub:
         if order is not None:
             self.phase = 'starting'
             self._ask({'do': 'fly', **order})
-        self._everybody(self.desk.view())
+        self.pages.everybody(self.desk.view())
 
     def _reply(self, client: Client, number: int, ok: bool, text: str) -> None:
-        self._tell(client, {'type': 'reply', 'id': number, 'ok': ok, 'text': text})
+        self.pages.tell(client, {'type': 'reply', 'id': number, 'ok': ok, 'text': text})
 
     # -- the pilot ------------------------------------------------------------------------
 
@@ -260,8 +252,9 @@ class Hub:
         """Let a new run begin; pages stay."""
         self.feed, self.run_name, self._bridge = Feed(provider), name, bridge
         self.phase, self.note, self.verdict, self.pilot_lost = 'flying', '', None, False
-        self._shown = {'pilot': 0, 'watch': 0}
-        self._everybody(self.feed.run_message(name))
+        self.aborted = False
+        self.pages.begin(self.feed)
+        self.pages.everybody(self.feed.run_message(name))
         self._status()
 
     def end(self) -> None:
@@ -270,18 +263,25 @@ class Hub:
         self._bridge = None
         if self.phase == 'flying':              # who starts runs still writes its folder
             self.phase = 'ended' if self._ask is None else 'closing'
-        self._to_pilot()
-        self._to_watchers()
+        self.pages.show()
         self._status()
 
     def told(self, phase: str, note: str = '', run: str | None = None) -> None:
-        """Be told by whoever starts runs how that goes with `run` (its folder)."""
+        """
+        Be told by whoever starts runs how that goes with `run` (its folder).
+
+        `progress` is no phase: its note says how far the start is, also once our own node is there.
+        """
+        self.progress = note if phase == 'progress' else ''
+        if phase == 'progress':
+            self._status()
+            return
         if phase == 'starting':
             self.run_name = run
         self.phase, self.note = phase, note
         if self.desk is not None and phase == 'ended':
             self.desk.ended(run)
-            self._everybody(self.desk.view())
+            self.pages.everybody(self.desk.view())
         self._status()
 
     def post(self, method: str, *args: Any) -> None:
@@ -301,15 +301,18 @@ class Hub:
             if method == 'begin':
                 self.begin(*args)
             elif method == 'event':
-                self._everybody({'type': 'event', **args[0]})
+                self.pages.everybody({'type': 'event', **args[0]})
+                self.aborted = self.aborted or args[0]['code'] == ABORT_EVENT
                 if self.feed is not None:
                     self.feed.event(args[0]['code'], args[0]['text'])
             elif method == 'final':
                 self.verdict = {'type': 'verdict', **args[0]}
-                self._everybody(self.verdict)
+                if self.feed is not None:
+                    self.feed.settle(args[0]['duration'])
+                self.pages.everybody(self.verdict)
                 if self.desk is not None:
                     self.desk.flown(args[0])
-                    self._everybody(self.desk.view())
+                    self.pages.everybody(self.desk.view())
             elif self.feed is not None:
                 if method == 'paused':
                     self.feed.paused = args[0]
@@ -321,55 +324,22 @@ class Hub:
     async def pump(self) -> None:
         """Send frames as the run steps, for ever."""
         self._loop = asyncio.get_running_loop()
+        self.pages.pace(self._loop)
         if self._inbox:                         # posted before there was a loop to wake
             self._fresh.set()
         while True:
             await self._fresh.wait()
             self._fresh.clear()
             self._drain()
-            self._to_pilot()
-            self._to_watchers()
+            self.pages.show()
             await asyncio.sleep(FRAME_S)
 
-    def _to_pilot(self) -> None:
-        if self.feed is not None and self.lease.holder in self.clients:
-            self._put(self.lease.holder, self._frame_text('pilot'), True)
-
-    def _to_watchers(self, waited: bool = False) -> None:
-        """Send a frame to those who watch, now or as soon as they may have the next one."""
-        if waited:
-            self._watchers_due = None
-        if self.feed is None or self._watchers_due is not None:
-            return
-        now = time.monotonic()
-        left = self._watch_at - now
-        if left > 0.0 and self._loop is not None:
-            self._watchers_due = self._loop.call_later(left, self._to_watchers, True)
-            return
-        self._watch_at = now + max(WATCH_S, HAND_S * math.ceil(len(self.clients) / HANDFUL))
-        self._hand_out(self._frame_text('watch'), list(self.clients))
-
-    def _hand_out(self, text: str, watchers: list[Client]) -> None:
-        """Send a frame to a few and soon to the rest: no stick waits for 50 pages."""
-        for client in watchers[:HANDFUL]:
-            if client in self.clients and client is not self.lease.holder:
-                self._put(client, text, True)
-        rest = watchers[HANDFUL:]
-        if rest and self._loop is not None:
-            self._loop.call_later(HAND_S, self._hand_out, text, rest)
-
-    def _frame_text(self, audience: str) -> str:
-        message = self.feed.frame(self._shown[audience])
-        self._shown[audience] = self.feed.ladder.version
-        self._frame += 1
-        message['n'] = self._frame
-        return encode(message)
-
     async def housekeeping(self) -> None:
-        """Notice a silent pilot, for ever."""
+        """Notice a silent pilot, and let every page hear that this server lives, for ever."""
         while True:
             await asyncio.sleep(HOUSEKEEPING_S)
             now = time.monotonic()
+            self.pages.beat(now)
             if self.lease.expire(now):
                 self._lost('the page of the pilot is silent')
                 self._status()
@@ -380,30 +350,17 @@ class Hub:
                     self._fresh.set()
 
     def _status(self) -> None:
-        for client in list(self.clients):
+        for client in list(self.pages.clients):
             holder = self.lease.holder
             who = 'free' if holder is None else 'you' if holder is client else 'other'
-            self._tell(client, {
+            self.pages.tell(client, {
                 'type': 'status', 'phase': self.phase, 'note': self.note, 'lease': who,
-                'pages': len(self.clients), 'run': self.run_name, 'pilot_lost': self.pilot_lost})
+                'pages': len(self.pages.clients), 'run': self.run_name,
+                'pilot_lost': self.pilot_lost, 'progress': self.progress})
 
     def _tell_ladder(self, client: Client) -> None:
         if self.feed is not None:
-            self._tell(client, {'type': 'ladder', 'ladder': self.feed.ladder.changes()})
-
-    def _everybody(self, message: dict) -> None:
-        text = encode(message)
-        for client in list(self.clients):
-            self._put(client, text, False)
-
-    def _tell(self, client: Client, message: dict) -> None:
-        self._put(client, encode(message), False)
-
-    def _put(self, client: Client, text: str, droppable: bool) -> None:
-        if not client.outbox.put(text, droppable):
-            client.closing = 'SLOW'
-            client.cut()
-        client.wake.set()
+            self.pages.tell(client, {'type': 'ladder', 'ladder': self.feed.ladder.changes()})
 
 
 def _id_in(text: str) -> int:

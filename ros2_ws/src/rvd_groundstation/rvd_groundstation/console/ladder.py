@@ -51,6 +51,7 @@ class Ladder:
     forward_steps: int
     step_s: float
     keep: int = 600             # rungs remembered
+    archive: list[Rung] | None = None       # takes the others, where all are wanted
     rungs: deque = field(default_factory=deque)
     round_trip_steps: int | None = None
     version: int = 0            # rises with every change
@@ -62,7 +63,9 @@ class Ladder:
                     version=self.version)
         self.rungs.append(rung)
         if len(self.rungs) > self.keep:
-            self.rungs.popleft()
+            gone = self.rungs.popleft()
+            if self.archive is not None:
+                self.archive.append(gone)
 
     def tick(self, step: int) -> None:
         """Let the ground's time advance to `step`."""
@@ -119,6 +122,10 @@ class Ladder:
     def changes(self, since: int = 0) -> list[list[float]]:
         """Return a row for each rung that changed after version `since`; 0 gives all."""
         return [row(rung) for rung in self.rungs if rung.version > since]
+
+    def whole(self) -> list[list[float]]:
+        """Return a row for each rung of the run, as far as there is an archive."""
+        return [row(rung) for rung in (*(self.archive or ()), *self.rungs)]
 
     def counts(self) -> dict[str, int]:
         """Return how many remembered rungs are in each state."""

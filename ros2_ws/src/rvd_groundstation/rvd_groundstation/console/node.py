@@ -13,6 +13,7 @@ from rclpy.signals import SignalHandlerOptions
 from sensor_msgs.msg import Joy
 from std_msgs.msg import Bool
 
+from rvd_dynamics.diagram.aborts import ABORT_EVENT
 from rvd_dynamics.diagram.control import MODE_EVENT
 from rvd_dynamics.diagram.judge import for_page, from_message
 from rvd_dynamics.diagram.params import leaves
@@ -38,7 +39,7 @@ from rvd_interfaces.srv import RunControl
 NAME = 'console'
 ACTIONS = {'pause': RunControl.Request.PAUSE, 'resume': RunControl.Request.RESUME,
            'mode': RunControl.Request.MODE, 'abort': RunControl.Request.ABORT}
-ALWAYS = ('PAUSE', 'RESUME', MODE_EVENT)    # events that a page hears whoever says them
+ALWAYS = ('PAUSE', 'RESUME', MODE_EVENT, ABORT_EVENT)   # events that a page hears whoever says them
 LINK = '/link/back/status'
 DECODE_S = 1.0 / 30             # [s] wall time
 

@@ -3,7 +3,7 @@ The console's process: web server on the event loop, one rclpy thread per run be
 
 Speaks with `./rvd fly`, which starts it, in lines of JSON: out {"url"}, {"do": "fly" | "stop" |
 "quit", ...} and at the end {"refused"}; in {"phase", "note"}. When its standard input ends, it
-ends.
+ends. With {"url"} comes {"watch"}, the address for those who only watch.
 """
 
 import argparse
@@ -60,7 +60,7 @@ async def _serve_runs(options: argparse.Namespace) -> int:
     from rvd_groundstation.console import node  # noqa: F401 - loaded now, not in a flight
     url = await server.start()
     runs = await listen(options.socket, lambda words, gone: run_node(hub, words, gone))
-    say({'url': url})
+    say({'url': url, 'watch': server.access.watch_url})
     await _heed(hub)
     runs.close()
     await server.stop()
@@ -97,7 +97,7 @@ async def _serve_one(arguments: list[str]) -> int:
     params = own_settings(arguments)
     hub = Hub()
     server = Server(hub, Address(params.bind, params.port, params.tls_cert, params.tls_key), None)
-    print(f'open {await server.start()}', flush=True)
+    print(f'open {await server.start()}\nwatch {server.access.watch_url}', flush=True)
     gone = asyncio.Event()
     for number in (signal.SIGTERM, signal.SIGINT):
         asyncio.get_running_loop().add_signal_handler(number, gone.set)

@@ -27,6 +27,7 @@ PAGE_BURST = 300.0              # at once: what a page says while this process i
 
 REQUESTS = ('take', 'drop', 'mode', 'pause', 'resume', 'abort', 'fly', 'stop', 'quit', 'desk',
             'ping')
+OF_WATCHERS = ('ping',)         # all that a page with a watcher's token may ask for
 NEEDS_LEASE = ('mode', 'pause', 'resume', 'fly', 'stop', 'quit', 'desk')
 
 

@@ -7,38 +7,57 @@ A run's bag holds the truth, which the ground must not know: it is read by a pro
 
 import asyncio
 from contextlib import suppress
+from functools import lru_cache
+import os
 import sys
 from pathlib import Path
 from typing import Any
 
+from rvd_dynamics import lifeline
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.given import object_of
+from rvd_groundstation.console.reports import report_of
 
 READER = (sys.executable, '-m', 'rvd_campaign.report.replay')
 MOST_RUNS = 200                 # rows of the list, newest first
 DEEPEST = 3                     # folders below the runs folder that are looked through
 MAX_VERDICT_BYTES = 1 << 20      # [B] of a verdict.json: a few kilobytes
-SHOWN = ('reason', 'success', 'mode', 'seed', 'operator', 'scenario')
+SHOWN = ('reason', 'success', 'mode', 'seed', 'operator', 'scenario', 'duration_s')
 
 
 def listing(runs: Path | None) -> list[dict[str, Any]]:
-    """Return a row per finished run below `runs`: name, reason, success, mode, seed."""
+    """
+    Return a row per finished run below `runs`, newest first.
+
+    `ended` is when its verdict was written [s since 1970], `report` whether it has one; the rest
+    is what `verdict.json` says.
+    """
     files = []
     if runs is None:
         return files
     for depth in range(1, DEEPEST + 1):
         for file in runs.glob('/'.join(['*'] * depth + ['verdict.json'])):
             with suppress(OSError):             # a link that leads nowhere, or gone meanwhile
-                files.append((file.stat().st_mtime, file))
+                found = file.stat()
+                files.append((found.st_mtime_ns, found.st_size, file))
     made = []
-    for _, file in sorted(files, reverse=True)[:MOST_RUNS]:
-        try:
-            content = object_of(file, 'verdict', MAX_VERDICT_BYTES)
-        except BadInput:
-            continue
-        made.append({'name': str(file.parent.relative_to(runs)),
-                     **{key: content.get(key) for key in SHOWN}})
+    for written_ns, size, file in sorted(files, reverse=True)[:MOST_RUNS]:
+        said = _said(file, written_ns, size)
+        if said is not None:
+            name = str(file.parent.relative_to(runs))
+            made.append({'name': name, 'ended': written_ns / 1e9,
+                         'report': report_of(runs, name) is not None, **said})
     return made
+
+
+@lru_cache(maxsize=2 * MOST_RUNS)
+def _said(file: Path, written_ns: int, size: int) -> dict[str, Any] | None:
+    """Return what is shown of a verdict; one that has not changed is not read again."""
+    try:
+        content = object_of(file, 'verdict', MAX_VERDICT_BYTES)
+    except BadInput:
+        return None
+    return {key: content.get(key) for key in SHOWN}
 
 
 async def load(runs: Path | None, name: str) -> bytes:
@@ -56,7 +75,8 @@ async def load(runs: Path | None, name: str) -> bytes:
         raise FileNotFoundError(name)
     reader = await asyncio.create_subprocess_exec(
         *READER, str(runs), name, stdin=asyncio.subprocess.DEVNULL,
-        stdout=asyncio.subprocess.PIPE, stderr=asyncio.subprocess.PIPE)
+        stdout=asyncio.subprocess.PIPE, stderr=asyncio.subprocess.PIPE,
+        env={**os.environ, lifeline.PARENT: str(os.getpid())})  # it ends with this process
     try:
         body, complaint = await reader.communicate()
     finally:

@@ -9,6 +9,7 @@ for it. Who fails takes nothing from who passes.
 import asyncio
 import hashlib
 import logging
+import re
 import ssl
 import time
 from collections.abc import Awaitable, Callable
@@ -20,12 +21,15 @@ from aiohttp import web, WSMsgType
 
 from rvd_groundstation.console import review
 from rvd_groundstation.console.access import (
-    Access, check_bind, HEADERS, new_token, Pace, SUBPROTOCOL, Throttle, token_of)
+    Access, check_bind, HEADERS, Pace, SUBPROTOCOL, Throttle, token_of)
 from rvd_groundstation.console.clients import STUCK_S
 from rvd_groundstation.console.door import (
     Answer, BAD_FRAME, Door, ELSEWHERE, STRANGER, TOO_MANY)
-from rvd_groundstation.console.hub import Client, Hub
+from rvd_groundstation.console.hub import Hub
+from rvd_groundstation.console.pages import Client
 from rvd_groundstation.console.protocol import encode, MAX_FRAME
+from rvd_groundstation.console.reports import POLICY, Reports
+from rvd_groundstation.console.tokens import tokens_of
 from rvd_dynamics.bad_input import BadInput
 
 STATIC = Path(__file__).parent / 'static'
@@ -35,6 +39,7 @@ FAILURE_RATE, FAILURE_BURST = 5.0, 5.0          # [1/s] refusals that are told w
 # for; a large one counts for several
 FILE_RATE, FILE_BURST, FILE_BYTES = 300.0, 100.0, 200_000
 PART_BYTES = 64 * 1024          # of a file, sent at a time
+NONCE = re.compile(r'[0-9a-f]{32}')       # of a page that wants a proof
 KINDS = {'.html': 'text/html; charset=utf-8', '.js': 'text/javascript; charset=utf-8',
          '.css': 'text/css; charset=utf-8', '.svg': 'image/svg+xml'}
 HEARTBEAT_S = 10.0
@@ -102,19 +107,20 @@ class Server:
         self.access: Access | None = None
         self._address = address
         self._runs = runs
-        self._token = new_token()
         self._requests = Throttle(REQUEST_RATE, REQUEST_BURST)
         self._failures = Throttle(FAILURE_RATE, FAILURE_BURST)
         self._files = Pace(FILE_RATE, FILE_BURST)
         self._page: dict[str, File] = {}        # by path
         self._token_in: dict[Handler, Callable[[web.Request], str | None]] = {
-            self._socket: _offered, self._list: _bearer, self._run: _bearer}
+            self._socket: _offered, self._list: _bearer, self._run: _bearer,
+            self._ticket: _bearer}
         self._tasks: list[asyncio.Task] = []
         self._in_review = 0
+        self._reports = Reports(runs)
         self.door = Door()
 
     async def start(self) -> str:
-        """Listen; return the URL to open."""
+        """Listen; return the URL for who flies. That for watchers is `access.watch_url`."""
         # What a stranger says is counted, not logged; faults of ours are logged.
         logging.getLogger('aiohttp.websocket').setLevel(logging.ERROR)
         context = self._address.tls()
@@ -124,13 +130,17 @@ class Server:
         app = web.Application(middlewares=[self._guard], client_max_size=MAX_FRAME)
         app.add_routes([
             web.get('/', self._file), web.get('/assets/{name:.+}', self._file),
-            web.get('/ws', self._socket),
-            web.get('/api/runs', self._list), web.get('/api/runs/{name:.+}', self._run)])
+            web.get('/ws', self._socket), web.get('/api/proof', self._proof),
+            web.get('/api/runs', self._list), web.get('/api/runs/{name:.+}', self._run),
+            web.get('/api/reports/{name:.+}', self._ticket),
+            web.get('/report/{ticket}', self._report)])
         self._runner = web.AppRunner(app, access_log=None, shutdown_timeout=0.5)
         await self._runner.setup()
         port = await self.door.open(
             self._address.bind, self._address.port, context, self._runner.server)
-        self.access = Access(self._token, self._address.bind, port, context is not None)
+        tokens = tokens_of(self._address.bind, self._address.port)
+        self.access = Access(tokens.fly, self._address.bind, port, context is not None,
+                             tokens.watch)
         self._tasks = [asyncio.create_task(self.hub.pump()),
                        asyncio.create_task(self.hub.housekeeping())]
         return self.access.url
@@ -139,7 +149,7 @@ class Server:
         """Close every page and stop listening."""
         for task in self._tasks:
             task.cancel()
-        for client in list(self.hub.clients):
+        for client in list(self.hub.pages.clients):
             client.closing = 'BYE'
             client.wake.set()
         await asyncio.sleep(0.05)
@@ -155,7 +165,7 @@ class Server:
         why = self.access.refusal(request.headers.get('Host'), request.headers.get('Origin'),
                                   must_have_origin=request.path == '/ws')
         token_in = self._token_in.get(request.match_info.handler)
-        if why is None and token_in is not None and not self.access.knows(token_in(request)):
+        if why is None and token_in is not None and not self._lets_in(token_in(request)):
             why = 'TOKEN'
         request.protocol.begun(trusted=why is None and token_in is not None)
         if why is not None:
@@ -168,6 +178,9 @@ class Server:
             return await handler(request)
         except web.HTTPException as error:
             return Answer(error.status, error.reason)
+
+    def _lets_in(self, token: str | None) -> bool:
+        return self.access.knows(token) or self.access.watches(token)
 
     def _refuse(self, why: str) -> web.Response:
         """Say why, but not to everybody who asks again and again."""
@@ -192,13 +205,16 @@ class Server:
         about = {**HEADERS, 'Cache-Control': 'no-cache', 'ETag': file.tag}
         if request.headers.get('If-None-Match') == file.tag:
             return web.Response(status=304, headers=about)
-        response = web.StreamResponse(headers={**about, 'Content-Type': file.kind})
-        response.content_length = len(file.body)
-        await response.prepare(request)
-        if request.method != 'HEAD':
-            for at in range(0, len(file.body), PART_BYTES):
-                await response.write(file.body[at:at + PART_BYTES])
-        return response
+        return await _in_parts(request, file.body, {**about, 'Content-Type': file.kind})
+
+    async def _proof(self, request: web.Request) -> web.StreamResponse:
+        """Prove to a page that this server has its token, before it shows that."""
+        nonce = request.query.get('nonce', '')
+        if not NONCE.fullmatch(nonce):
+            return Answer(422, 'the nonce must be 32 hexadecimal digits')
+        return web.Response(text=encode(self.access.proofs(request.headers['Host'], nonce)),
+                            content_type='application/json',
+                            headers={'Cache-Control': 'no-store'})
 
     async def _list(self, request: web.Request) -> web.StreamResponse:
         async with self._listings:              # a slow disk must not hold up files of the page
@@ -231,13 +247,33 @@ class Server:
         response.enable_compression()
         return response
 
+    async def _ticket(self, request: web.Request) -> web.StreamResponse:
+        name = request.match_info['name']
+        if self._under_way(name):
+            return Answer(409, 'this run is still under way')
+        try:
+            ticket = self._reports.ticket(name, time.monotonic())
+        except FileNotFoundError:
+            return Answer(404, 'no such run, or it has no report: ./rvd report makes one')
+        return web.json_response({'url': f'report/{ticket}'})
+
+    async def _report(self, request: web.Request) -> web.StreamResponse:
+        """Send the report that a ticket opens: it is not the console's page, and may do less."""
+        body = await asyncio.to_thread(
+            self._reports.read, request.match_info['ticket'], time.monotonic())
+        if body is None:
+            return Answer(404, 'this address opens no report any more: open it from the console')
+        return await _in_parts(request, body, {
+            **HEADERS, 'Content-Security-Policy': POLICY, 'Cache-Control': 'no-store',
+            'Content-Type': KINDS['.html']})
+
     def _under_way(self, name: str) -> bool:
         return self.hub.phase in ('starting', 'flying', 'closing') and name == self.hub.run_name
 
     # -- sockets --------------------------------------------------------------------------
 
     async def _socket(self, request: web.Request) -> web.StreamResponse:
-        client = self.hub.join()
+        client = self.hub.join(self.access.watches(_offered(request)))
         if client is None:
             return Answer(503, 'no room: 50 pages watch already')
         socket = web.WebSocketResponse(protocols=(SUBPROTOCOL,), max_msg_size=MAX_FRAME,
@@ -282,6 +318,17 @@ class Server:
             client.cut()
             return
         await socket.close(code=1008, message=client.closing.encode())
+
+
+async def _in_parts(request: web.Request, body: bytes, headers: dict[str, str]
+                    ) -> web.StreamResponse:
+    response = web.StreamResponse(headers=headers)
+    response.content_length = len(body)
+    await response.prepare(request)
+    if request.method != 'HEAD':
+        for at in range(0, len(body), PART_BYTES):
+            await response.write(body[at:at + PART_BYTES])
+    return response
 
 
 async def _shake_hands(socket: web.WebSocketResponse, request: web.Request) -> None:

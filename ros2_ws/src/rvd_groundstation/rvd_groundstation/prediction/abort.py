@@ -18,9 +18,11 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from rvd_dynamics.commands.form import CommandForm
 from rvd_dynamics.constants import NS_PER_S
 from rvd_dynamics.diagram import streams
 from rvd_dynamics.diagram.run import Legs, Run
+from rvd_dynamics.diagram.scenario import Scenario
 
 Array = NDArray[np.float64]
 TRANSITS = 4096                         # drawn to know the distribution of the transit
@@ -85,3 +87,30 @@ class AbortProfile:
         if never > SURE:
             after, weight = np.append(after, np.iinfo(np.int64).max // 2), np.append(weight, never)
         return after, weight / weight.sum()
+
+
+class Acting:
+    """What acts on the craft in each step, by what the ground has sent; called in order."""
+
+    def __init__(self, profile: AbortProfile, form: CommandForm) -> None:
+        self._profile, self._retreat = profile, form.effect(np.asarray(form.retreat))
+        self.abort_step: int | None = None      # in which the first ABORT was sent
+
+    def sent(self, step: int, is_abort: bool) -> None:
+        """Hear whether what was sent in `step` was an ABORT."""
+        if is_abort and self.abort_step is None:
+            self.abort_step = step
+
+    def mean(self, step: int, own: Array) -> Array:
+        """Return the mean acceleration in `step`, for which `own` (..., 3) was sent [m/s^2]."""
+        if self.abort_step is None:
+            return own
+        after = step - self.abort_step
+        return (self._profile.still_waiting(after) * own
+                + self._profile.burning(after) * self._retreat)
+
+
+def profile(scenario: Scenario) -> AbortProfile:
+    """Return what an ABORT does in a mission with these sections: guard, link_forward."""
+    return AbortProfile(scenario.settings('onboard_guard').abort_burn_s,
+                        scenario.settings('link_forward'), scenario.part('legs'), scenario.run)

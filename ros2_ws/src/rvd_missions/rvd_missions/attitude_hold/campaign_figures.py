@@ -8,6 +8,7 @@ import numpy as np
 
 from rvd_dynamics.recording.drawing import (
     ABOVE, BLUE, CampaignFigure, canvas, GREEN, INK, MUTED, ORANGE, VERMILLION)
+from rvd_dynamics.recording.worded import worded
 from rvd_missions.attitude_hold.comparison import LAWS, Mean, Row, rows
 
 if TYPE_CHECKING:
@@ -37,7 +38,7 @@ def comparison(results: Any) -> tuple['Canvas', str]:
         left.yaxis.set_minor_formatter(NullFormatter())
         right.axhline(0.0, color=INK, linewidth=1.0)
     panels[0, 0].set_title('Mean with each law')
-    panels[0, 1].set_title('golden_section minus pid, run by run')
+    panels[0, 1].set_title('golden section minus PID, run by run')
     for axes in panels[-1]:
         axes.set_xticks(range(len(names)), [name.replace(' ', '\n') for name in names],
                         fontsize=6.0)
@@ -48,7 +49,7 @@ def comparison(results: Any) -> tuple['Canvas', str]:
     return figure, (
         'Left: means over all runs in which the measure is known; in each group in the order of '
         'the colours on the right. Right: mean of the paired '
-        'difference with its 95 % interval (Student), each on its own; below 0 golden_section has '
+        'difference with its 95 % interval (Student), each on its own; below 0 golden section has '
         'the smaller value. ' + ' '.join(_count(found, measure) for measure in DRAWN))
 
 
@@ -69,7 +70,7 @@ def _levels(axes: 'Axes', chosen: list[Row], names: list[str], groups: list[str]
         colour, marker = LOOKS[law]
         x = [_place(row, names, groups)[0] for row in chosen]
         y = [getattr(row, which).value for row in chosen]
-        axes.plot(x, np.maximum(y, 1e-9), marker, color=colour, markersize=4.0, label=law)
+        axes.plot(x, np.maximum(y, 1e-9), marker, color=colour, markersize=4.0, label=worded(law))
 
 
 def _differences(axes: 'Axes', chosen: list[Row], names: list[str], groups: list[str]) -> None:
@@ -86,10 +87,10 @@ def _differences(axes: 'Axes', chosen: list[Row], names: list[str], groups: list
 
 def _count(found: list[Row], measure: str) -> str:
     signs = [row.difference.sign for row in found if row.measure == measure]
-    return (f'{DRAWN[measure].partition(" [")[0].capitalize()}: smaller with golden_section in '
-            f'{signs.count(-1)} of {len(signs)} cells, with pid in {signs.count(1)}.')
+    return (f'{DRAWN[measure].partition(" [")[0].capitalize()}: smaller with golden section in '
+            f'{signs.count(-1)} of {len(signs)} cells, with PID in {signs.count(1)}.')
 
 
 FIGURES = {
-    'comparison': CampaignFigure(comparison, 'golden_section against pid', tuple(DRAWN)),
+    'comparison': CampaignFigure(comparison, 'Golden section against PID', tuple(DRAWN)),
 }

@@ -8,6 +8,7 @@ from typing import Any, TYPE_CHECKING
 import numpy as np
 
 from rvd_dynamics.recording.drawing import BLUE, CampaignFigure, canvas, INK, VERMILLION
+from rvd_dynamics.recording.worded import worded
 from rvd_missions.docking.commands import COUNT
 from rvd_missions.docking.planner_figures import FIGURES as PLANNERS
 from rvd_missions.docking.thruster_layout import layout
@@ -56,7 +57,7 @@ def thrusters(results: Any) -> tuple['Canvas', str]:
     figure.colorbar(drawn, ax=axes, label='greatest angle [deg]', pad=0.01)
     for row, thruster in zip(*np.nonzero(good < 1.0)):
         axes.plot(thruster, row, 'x', color=VERMILLION, markersize=4)
-    axes.set_yticks(range(len(names)), names)
+    axes.set_yticks(range(len(names)), [worded(name) for name in names])
     axes.set_xticks(range(0, COUNT, 4))
     groups = layout().groups
     for group in sorted(set(groups)):
@@ -88,7 +89,7 @@ def improvements(results: Any) -> tuple['Canvas', str]:
         axes.locator_params(axis='x', nbins=4)
         axes.invert_yaxis()
     panels[0].invert_yaxis()                    # the axes share it: once is enough
-    panels[0].set_yticks(range(len(names)), names)
+    panels[0].set_yticks(range(len(names)), [worded(name) for name in names])
     return figure, 'Each run and, as a dot, the mean of its condition.'
 
 

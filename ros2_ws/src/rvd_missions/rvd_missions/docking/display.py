@@ -15,9 +15,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rvd_dynamics.diagram.display import (
-    Attitude, Body, Box, Camera, Chart, Charts, CommandAxis, CommandRow, Commands, DERIVED, Display,
-    Flat, Gauge, Instrument, Instruments, Label, Legend, Line, Needles, Number, Perspective, Pixels,
-    Reading, Readout, Ref, Revolved, Ring, Section, Sphere, Spot, Trail, TRUTH)
+    Alarm, Attitude, Body, Box, Camera, Chart, Charts, CommandAxis, CommandRow, Commands, DERIVED,
+    Display, Flat, Gate, Gauge, Guidance, Instrument, Instruments, Label, Legend, Line, Needles,
+    Number, Perspective, Pixels, Reading, Readout, Ref, Revolved, Ring, Section, Sphere, Spot,
+    Trail, TRUTH)
 from rvd_dynamics.diagram.scenario import Scenario
 from rvd_dynamics.geometry.pinhole import CameraParams
 from rvd_dynamics.motion import attitude
@@ -25,7 +26,7 @@ from rvd_groundstation.console.decode import Sample
 from rvd_groundstation.console.provider import MissionDisplay, PILOT, RunFacts
 from rvd_missions.docking import markers, safety
 from rvd_missions.docking.display_parts import (
-    AXES, chaser, CHORD_M, forms, hands, lamps, LIQUID_M, NEAR_X, seen, seen_turn, target)
+    AXES, chaser, CHORD_M, digits, forms, hands, lamps, LIQUID_M, NEAR_X, seen, seen_turn, target)
 from rvd_missions.docking.onboard import AUTHORITY
 from rvd_missions.docking.settings import faces
 from rvd_missions.docking.signals import ESTIMATE, FEATURES, GUIDANCE, POSE, STATIONS, THRUST
@@ -35,6 +36,8 @@ BEND, SLOSH = 30.0, 5.0                 # what is drawn of the truth is larger b
 FADE_S = 0.7                            # [s] wall time in which a lamp goes out
 G0 = 9.80665                            # [m/s^2]
 ISP_S = 290.0                           # [s] that the books are kept with
+GATES_M = (4.0, 2.0, 1.0, 0.5)          # [m] from the port, of what a good approach is
+BACK_MM, BACK_MM_S = 10.0, 2.0          # by which an alarm's reading must be inside its limit again
 
 
 class DockingDisplay(MissionDisplay):
@@ -78,7 +81,7 @@ class DockingDisplay(MissionDisplay):
             'glow': self._glow.round(2).tolist(), 'pulses': self._pulses.tolist(),
             'spent': self._spent, 'wrench': (
                 self._form.effect(self._valves.astype(np.uint8))/AUTHORITY).tolist(),
-            'dashed': ['dashed: \u00b12\u03c3; errors: truth, in a review', False],
+            'known': ['errors: truth, in a review', False],
             'books': [f'{int(self._pulses.sum())} pulses, {1000.0*self._spent:.0f} g booked',
                       False]}
         made |= self._estimated(newest.get(ESTIMATE.name))
@@ -97,25 +100,29 @@ class DockingDisplay(MissionDisplay):
         port = r + attitude.rotate(q, markers.CHASER_PORT) - markers.TARGET_PORT
         distance, across = -float(port[0]), float(np.hypot(port[1], port[2]))
         spin = rate + self._n*attitude.matrix(q)[1]     # relative to the target, body axes
-        b = self._bounds
-        wall = b.near_lateral_m if distance <= b.near_m else distance*np.tan(np.radians(b.cone_deg))
-        fastest = max(b.least_speed_m_s,
-                      float(np.sqrt(2.0*b.brake_m_s2*max(distance - b.stop_m, 0.0))))
+        wall, fastest = self._bounds_at(distance)
         hovers = sample.t >= self._limits.from_s
         return {
             'chaser': seen(r).tolist(), 'turn': seen_turn(q).tolist(),
             'port': seen(port).tolist(), 'port_rate': seen(v).tolist(),
             'r': r.tolist(), 'v': v.tolist(), 'q': q.tolist(), 'distance': distance,
-            'across': across, 'closing': float(v[0]), 'fastest': fastest, 'wall': float(wall),
+            'across': across, 'closing': float(v[0]), 'fastest': fastest, 'wall': wall,
             'extent': float(max(1.15*max(wall, across), 0.1)),
             'cut': [f'at {distance:.2f} m', False],
             'angles': (DEG*attitude.rotation_vector(q)).tolist(), 'rates': (DEG*spin).tolist(),
-            'sigma_m': float(sigma[:3].max()), 'sigma_deg': DEG*float(sigma[6:].max()),
+            'sigma_mm': (1000.0*sigma[:3]).tolist(), 'sigma_deg': (DEG*sigma[6:]).tolist(),
             # of all three axes together, as the error beside it
             'sigmas': [float(np.sqrt(np.sum(part*part))) for part in
                        (1000.0*sigma[:3], 1000.0*sigma[3:6], DEG*sigma[6:])],
             'near': self._limits_at(-1.0) if hovers else None,
             'far': self._limits_at(1.0) if hovers else None}
+
+    def _bounds_at(self, distance: float) -> tuple[float, float]:
+        """Return how far across [m] and how fast [m/s] the craft may be at a distance [m]."""
+        b = self._bounds
+        wall = b.near_lateral_m if distance <= b.near_m else distance*np.tan(np.radians(b.cone_deg))
+        fastest = np.sqrt(2.0*b.brake_m_s2*max(distance - b.stop_m, 0.0))
+        return float(wall), max(b.least_speed_m_s, float(fastest))
 
     def _limits_at(self, side: float) -> float:
         return self._aim.distance_m + side*self._limits.band_m
@@ -126,6 +133,7 @@ class DockingDisplay(MissionDisplay):
             self._state, self._since = state, sample.t
         words = safety.NAMES[state] + (f' for {sample.t - self._since:.0f} s' if state else '')
         made: dict[str, Any] = {'safety': [words, state != safety.NOMINAL],
+                                'unsafe': float(state != safety.NOMINAL),
                                 'demand': sample.parts['demand']}
         wanted = np.array(sample.parts['reference'])
         if np.isfinite(wanted).all():
@@ -297,15 +305,39 @@ class DockingDisplay(MissionDisplay):
             charts=Charts('Course', (
                 Chart('distance, m', (of('distance'), of('planned'), true('distance')), least=0.1,
                       names=('flown', 'planned', 'true'), centred=False,
-                      levels=(self._limits_at(-1.0), self._limits_at(1.0))),
-                Chart('error, mm', tuple(true('error_mm', (i,)) for i in range(3)),
-                      of('sigma_m', factor=1000.0), least=0.5,
-                      names=('x', 'y', 'z')),
-                Chart('error, deg', tuple(true('error_deg', (i,)) for i in range(3)),
-                      of('sigma_deg'), least=0.02, names=('x', 'y', 'z'))),
-                note=Ref(DERIVED, 'dashed'), window_s=60.0),
-            modes=(), abort='backing away with J4', goal='hovering before the port',
+                      levels=(self._limits_at(-1.0), self._limits_at(1.0)), wide=True),
+                *(Chart(f'{axis}, mm', (true('error_mm', (i,)),), of('sigma_mm', (i,)), least=0.5)
+                  for i, axis in enumerate('xyz')),
+                *(Chart(f'{axis}, deg', (true('error_deg', (i,)),), of('sigma_deg', (i,)),
+                        least=0.02) for i, axis in enumerate(AXES[3:]))),
+                note=Ref(DERIVED, 'known'), window_s=60.0, columns=3,
+                band='\u00b12\u03c3 as claimed'),
+            alarms=(
+                Alarm('THE CRAFT HAS STOPPED THE APPROACH',
+                      (Reading('measured', of('unsafe'), high=0.5),)),
+                Alarm('OUTSIDE THE CONE',
+                      (Reading('measured', of('across', factor=1000.0),
+                               high=of('wall', factor=1000.0)),), 'across', 'mm', 0, BACK_MM),
+                Alarm('TOO FAST',
+                      (Reading('measured', of('closing', factor=1000.0),
+                               high=of('fastest', factor=1000.0)),),
+                      'closing', 'mm/s', 1, BACK_MM_S)),
+            guidance=self._guidance(), modes=(), abort='backing away with J4',
+            goal='hovering before the port',
             hint='Hover with the faces 3 to 11 cm apart.', forms=forms(scenario))
+
+    def _guidance(self) -> Guidance:
+        """Return the bounds of the safety strategy at some distances, and where to hover."""
+        limits, gates = self._limits, []
+        for at in GATES_M:
+            wall, fastest = self._bounds_at(at)
+            gates.append(Gate(at, (f'within {wall:.2f} m', f'below {1000.0*fastest:.0f} mm/s')))
+        return Guidance(
+            tuple(gates), (
+                f'{1000.0*self._limits_at(-1.0):.0f} to {1000.0*self._limits_at(1.0):.0f} mm apart',
+                f'across within {1000.0*limits.lateral_m:.0f} mm',
+                f'turned within {limits.attitude_deg:g} deg'),
+            (Number(DERIVED, 'distance'),), contact_label='hover')
 
     def _camera(self, camera: CameraParams) -> Camera:
         pixels = Pixels(Ref(DERIVED, 'pixels'), Ref(DERIVED, 'used'), float(camera.width_px),
@@ -313,9 +345,10 @@ class DockingDisplay(MissionDisplay):
         title = ('markers as found, over the view from the estimate'
                  if self._pinhole else 'view from the estimate')
         return Camera(
-            title, title, ('chaser',), (-4.5, 0.0, 0.0), at_m=tuple(seen(camera.place_m).tolist()),
+            title, title, ('chaser',), at_m=tuple(seen(camera.place_m).tolist()),
             turns=True, aim_m=(NEAR_X, 0.0, 0.0), half_height_m=0.4,
             half_field=(0.06, 1.06*camera.half_view), pixels=pixels,
             gauge=Gauge('mm/s', -20.0, 80.0, 10.0, 2, (
                 Reading('measured', Number(DERIVED, 'closing', factor=1000.0)),), digits=0),
-            distance=(Reading('measured', Number(DERIVED, 'distance')),), digits=3)
+            distance=(Reading('measured', Number(DERIVED, 'distance')),), digits=3,
+            numbers=digits(('measured', '')))

@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rvd_dynamics.diagram.display import (
-    Axis, Box, Button, Controller, Cylinder, DERIVED, Form, Hand, LampGroup, Lamps, Ref, Torus)
+    Axis, Box, Button, Controller, Cylinder, DERIVED, Digits, Form, Hand, LampGroup, Lamps, Motion,
+    Number, Reading, Ref, Torus)
 from rvd_dynamics.diagram.scenario import Scenario
 from rvd_dynamics.motion import attitude
 from rvd_groundstation.console.forms import setting
@@ -53,6 +54,16 @@ def lamps() -> Lamps:
         Ref(DERIVED, 'books'))
 
 
+def digits(*of: tuple[str, str]) -> Digits:
+    """Return the large digits of the port, of (role, ending of the derived names) pairs."""
+    def read(name: str, i: int) -> tuple[Reading, ...]:
+        return tuple(Reading(role, Number(DERIVED, name + end, (i,), 1000.0)) for role, end in of)
+    return Digits((
+        Motion('to go', read('distance', 0), read('closing', 0), 'closing', signed=False),
+        Motion('up', read('port', 1), read('port_rate', 1)),
+        Motion('right', read('port', 2), read('port_rate', 2))), 'mm', 'mm/s', 0, 1)
+
+
 def hands() -> Controller:
     """
     Return both hand controllers: translation left, rotation right, in body axes.
@@ -60,9 +71,9 @@ def hands() -> Controller:
     Each has a Joy of its own: three axes, and the buttons dead-man, pulse or rate, resume.
     """
     return Controller(
-        (Axis('x', 'forward', 'back', (('KeyW', 'KeyS'),), pad_pair=(7, 6)),
-         Axis('y', 'right', 'left', (('KeyD', 'KeyA'),), 0),
-         Axis('z', 'down', 'up', (('KeyF', 'KeyR'),), 1),
+        (Axis('x', 'forward', 'back', (('KeyW', 'KeyS'),), pad_pair=(7, 6), along='+x'),
+         Axis('y', 'right', 'left', (('KeyD', 'KeyA'),), 0, along='+z'),
+         Axis('z', 'down', 'up', (('KeyF', 'KeyR'),), 1, along='-y'),
          Axis('roll', 'right', 'left', (('KeyE', 'KeyQ'),), pad_pair=(15, 14)),
          Axis('pitch', 'nose up', 'nose down', (('ArrowUp', 'ArrowDown'),), 3, True),
          Axis('yaw', 'nose right', 'nose left', (('ArrowRight', 'ArrowLeft'),), 2)),

@@ -20,7 +20,7 @@ from rvd_groundstation.console.decode import Sample
 from rvd_groundstation.console.provider import has_ground, PILOT, RunFacts
 from rvd_missions.docking import markers, safety
 from rvd_missions.docking.display import DockingDisplay
-from rvd_missions.docking.display_parts import AXES, seen
+from rvd_missions.docking.display_parts import AXES, digits, seen
 
 TELEMETRY, PREDICTION, COMMAND = '/ground/telemetry', '/ground/prediction', '/ground/command'
 PERCENT = 100.0
@@ -28,7 +28,7 @@ HELD = 1 | 2                            # of the last number of a command: eithe
 # What comes down, in order: the estimate, place and attitude that are held, the safety state.
 DOWN = (('position', 3), ('velocity', 3), ('attitude', 4), ('rate', 3), ('reference', 3),
         ('held', 4), ('safety', 1))
-AHEAD = ('chaser', 'turn', 'port', 'distance', 'across', 'closing', 'angles', 'rates')
+AHEAD = ('chaser', 'turn', 'port', 'port_rate', 'distance', 'across', 'closing', 'angles', 'rates')
 
 
 def display(facts: RunFacts, scenario: Scenario) -> DockingDisplay:
@@ -74,6 +74,7 @@ class RemoteDisplay(DockingDisplay):
                 made.pop(name, None)
             state = int(down.parts['safety'][0])
             made['safety'] = [safety.NAMES[state], state != safety.NOMINAL]
+            made['unsafe'] = float(state != safety.NOMINAL)
             held = np.array(down.parts['reference'])
             if np.isfinite(held).all():
                 made['wanted'] = seen(held + markers.CHASER_PORT).tolist()
@@ -110,7 +111,8 @@ class RemoteDisplay(DockingDisplay):
             legend=(*shown.legend, Legend('predicted', 'predicted')),
             camera=replace(shown.camera, title='view from the telemetry',
                            review_title='view from the telemetry', pixels=None,
-                           gauge=Gauge('mm/s', -20.0, 80.0, 10.0, 2, closing, digits=0)),
+                           gauge=Gauge('mm/s', -20.0, 80.0, 10.0, 2, closing, digits=0),
+                           numbers=digits(('measured', ''), ('predicted', '_ahead'))),
             instruments=Instruments('Approach', (
                 both('distance', 'mm', 'distance', 1000.0, 0, True),
                 both('closing', 'mm/s', 'closing', 1000.0, 0,

@@ -69,6 +69,7 @@ class Judge:
         self._least = np.full(batch, np.inf)
         self._most, self._lateral, self._across, self._angle, self._turn = np.zeros((5, *batch))
         self._nominal_distance = np.full(batch, np.nan)
+        self._strayed_at, self._blind_at = np.full((2, *batch), np.nan)     # [s] first time
 
     def follow(self, k: int, truth: Any) -> None:
         """Take the truth of step k, every step in order."""
@@ -85,17 +86,22 @@ class Judge:
         if k == self._nominal:
             self._nominal_distance = np.where(live, distance, self._nominal_distance)
         if k > self._from:
-            self._hover(live, port, distance, turn)
+            self._hover(live, t, port, distance, turn)
         if k % self._period == 0:
-            self._look(live, truth, distance)
+            self._look(live, t, truth, distance)
         over = live & ended(k, port, self._run.last_step)
         if np.count_nonzero(over):
             self._reason = np.where(over, self._why(port), self._reason)
             self._live = live & ~over
 
-    def _hover(self, live: NDArray, port: NDArray, distance: NDArray, turn: NDArray) -> None:
+    def _hover(self, live: NDArray, t: float, port: NDArray, distance: NDArray, turn: NDArray
+               ) -> None:
         angles = np.degrees(attitude.rotation_vector(turn))
         across = np.abs(port[..., 1:])
+        good = ((distance > self._band[0]) & (distance < self._band[1])
+                & (across.max(axis=-1) < self._limits.lateral_m)
+                & (np.abs(angles).max(axis=-1) < self._limits.attitude_deg))
+        self._strayed_at = np.where(live & ~good, np.fmin(self._strayed_at, t), self._strayed_at)
         self._least = np.where(live, np.fmin(self._least, distance), self._least)
         for name, value in (
                 ('_most', distance), ('_lateral', np.fmax(across[..., 0], across[..., 1])),
@@ -105,7 +111,7 @@ class Judge:
             setattr(self, name, np.where(live, np.fmax(getattr(self, name), value),
                                          getattr(self, name)))
 
-    def _look(self, live: NDArray, truth: Any, distance: NDArray) -> None:
+    def _look(self, live: NDArray, t: float, truth: Any, distance: NDArray) -> None:
         """
         Count the time in which no camera has enough of the markers that count for a pose.
 
@@ -121,6 +127,7 @@ class Judge:
             most = np.maximum(most, (np.isfinite(pixels[..., 0]) & counted).sum(axis=-1))
         few = most < USABLE
         self._mode = handed_over(self._vision, self._mode, np.where(few, np.nan, distance))
+        self._blind_at = np.where(live & few, np.fmin(self._blind_at, t), self._blind_at)
         self._blind = self._blind + np.where(live & few, self._period*self._run.step_s, 0.0)
 
     def _why(self, port: NDArray) -> NDArray:
@@ -150,4 +157,6 @@ class Judge:
     def verdict(self, final: bool = False) -> Verdict:
         """Return the verdict so far; with `final`, a run still under way has strayed."""
         reason = np.where((self._reason == '') & final, 'strayed', self._reason)
-        return Verdict(reason == 'hovering', reason, self._duration, self._values())
+        happened = np.where(reason == 'strayed', self._strayed_at,
+                            np.where(reason == 'blind', self._blind_at, np.nan))
+        return Verdict(reason == 'hovering', reason, self._duration, self._values(), happened)

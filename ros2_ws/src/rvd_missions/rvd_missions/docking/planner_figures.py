@@ -8,6 +8,7 @@ import numpy as np
 
 from rvd_dynamics.recording.drawing import (
     BLUE, CampaignFigure, canvas, DASHED, GREEN, MUTED, ORANGE, VERMILLION)
+from rvd_dynamics.recording.worded import worded
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Canvas
@@ -32,7 +33,7 @@ def planners(results: Any) -> tuple['Canvas', str]:
             if len(values):
                 axes.plot([i - 0.35, i + 0.35], [np.median(values)]*2, color='k', linewidth=1.2)
         axes.set(ylabel=label)
-        axes.set_xticks(range(len(names)), [n.replace('_', '\n').replace(' ', '\n') for n in names],
+        axes.set_xticks(range(len(names)), [worded(n).replace(' ', '\n') for n in names],
                         fontsize=6.0)
         if 'margin' in column:
             axes.axhline(0.0, color=MUTED, linestyle=DASHED, linewidth=1.0)

@@ -30,6 +30,7 @@ MISSION = Mission(
     },
     parts={
         'legs': 'rvd_dynamics.diagram.run:legs',
+        'abort_profile': 'rvd_groundstation.prediction.abort:profile',
         'form': 'rvd_dynamics.commands.form:thruster_form',
         'away': f'{HERE}.settings:away',
         'law': f'{HERE}.ground:law',

@@ -102,13 +102,17 @@ def thrust(run: Recording) -> 'Canvas':
 
 def fly_around(run: Recording) -> 'Canvas':
     """Draw the second stage of the combined mode (Figure 13)."""
+    if not _arrived(run, np.empty(0)) or _arrived(run, np.empty(0)) >= run.last_step:
+        figure = canvas(0.9)
+        figure.text(0.5, 0.5, 'nothing was flown after an arrival', ha='center', color=MUTED)
+        return figure
     figure = canvas(4.2, wspace=0.24, hspace=0.12)
     grid = figure.add_gridspec(2, 2)
     plane, over = figure.add_subplot(grid[:, 0]), figure.add_subplot(grid[0, 1])
     error = figure.add_subplot(grid[1, 1], sharex=over)
     orbits, phi, los = _seen(run)
     arrival = run.scenario.part('arrival')
-    first = _arrived(run, orbits) or max(len(orbits) - 1, 0)
+    first = _arrived(run, orbits)
     state = run.of(TRUTH).state[first:]
     _plane(plane, state[:, 0], state[:, 1], 'm')
     _circle(plane, arrival.range_m)

@@ -14,6 +14,7 @@ from rvd_dynamics.diagram.run import Legs
 from rvd_dynamics.diagram.scenario import Scenario
 from rvd_dynamics.motion.kepler import EllipseParams
 from rvd_groundstation.guidance.range_rate import line_of_sight
+from rvd_groundstation.prediction.abort import AbortProfile
 from rvd_missions.elliptic_rendezvous.laws import Rrca
 from rvd_missions.elliptic_rendezvous.prediction import VaryingPredictor
 from rvd_missions.elliptic_rendezvous.settings import ArrivalParams
@@ -29,13 +30,15 @@ def law(scenario: Scenario) -> Rrca:
 class StatePredictor:
     """Where the chaser will be when a command sent now acts."""
 
-    def __init__(self, orbit: EllipseParams, legs: Legs, form: CommandForm, batch: tuple
-                 ) -> None:
-        self._predictor = VaryingPredictor(orbit, legs, form, batch)
+    def __init__(self, orbit: EllipseParams, legs: Legs, form: CommandForm, batch: tuple,
+                 abort_profile: AbortProfile) -> None:
+        self._predictor = VaryingPredictor(orbit, legs, form, batch, abort_profile)
 
     def step(self, k: int, telemetry: Any, command: Any) -> dict[str, Any]:
         """Return the prediction of step k."""
-        _, ahead = self._predictor.advance(k, telemetry.state, telemetry.received, command.command)
+        _, ahead = self._predictor.advance(
+            k, telemetry.state, telemetry.received, command.command,
+            bool(np.ravel(command.kind)[0] == KIND_ABORT))
         return {'prediction': PREDICTION(state=ahead, valid=np.isfinite(ahead).all(axis=-1))}
 
 

@@ -73,6 +73,7 @@ class Judge:
                 self._values[name] = np.zeros(batch)
         self._low, self._high = np.full((BINS, *batch), np.inf), np.full((BINS, *batch), -np.inf)
         self._bin = -1
+        self._drifted_at = np.full(batch, np.nan)   # [s] when the range was not held first
         self._state: NDArray | None = None
         self._direction = np.zeros(batch)           # counted on over turns [rad]
 
@@ -138,6 +139,8 @@ class Judge:
         off = np.degrees(np.abs(wrap(los.direction - self._phi_d)))
         values = self._values
         error = np.abs(los.range - self._arrival.range_m)
+        off_range = now & ~(error < self._arrival.hold_tolerance_m)
+        self._drifted_at = np.where(off_range, np.fmin(self._drifted_at, t), self._drifted_at)
         settling = np.where(off > self._arrival.direction_tolerance_deg, t - values['arrival_s'],
                             np.fmax(values['settling_s'], 0.0))
         found = {'hold_error_m': np.fmax(values['hold_error_m'], error), 'settling_s': settling,
@@ -164,4 +167,5 @@ class Judge:
         reason = REASONS[self._reason]
         reason = np.where((reason == '') & final, 'timeout', reason)
         success = (reason == 'arrived') | (reason == 'held')
-        return Verdict(success, reason, self._duration, dict(self._values))
+        return Verdict(success, reason, self._duration, dict(self._values),
+                       np.where(reason == 'drifted', self._drifted_at, np.nan))

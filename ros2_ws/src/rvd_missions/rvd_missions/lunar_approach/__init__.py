@@ -44,7 +44,7 @@ MISSION = Mission(
         'sharing': f'{HERE}.ground:sharing',
         'law': f'{HERE}.ground:law',
         'approach_rate_m_s': f'{HERE}.ground:approach_rate_m_s',
-        'abort_profile': f'{HERE}.ground:abort_profile',
+        'abort_profile': 'rvd_groundstation.prediction.abort:profile',
         'tape': f'{HERE}.ground:tape',
     },
     checked=('paced', 'legs', 'clear_start'),

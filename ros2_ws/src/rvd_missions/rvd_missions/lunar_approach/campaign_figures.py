@@ -5,6 +5,7 @@ They are drawn from the result table; tracks are flown again for the runs that a
 """
 
 from math import ceil
+from textwrap import fill
 from typing import Any, TYPE_CHECKING
 
 import numpy as np
@@ -15,7 +16,9 @@ from rvd_dynamics.diagram.scenario import Scenario
 from rvd_dynamics.geometry import cone
 from rvd_dynamics.recording.drawing import (
     BLUE, CampaignFigure, canvas, DASHED, INK, LINES, ORANGE)
+from rvd_dynamics.recording.worded import worded
 from rvd_missions.lunar_approach import cluttered
+from rvd_missions.lunar_approach.figures import upwards
 from rvd_missions.lunar_approach.signals import TRUTH
 
 if TYPE_CHECKING:
@@ -34,26 +37,33 @@ def landing(results: Any) -> Drawn:
     shown = results.shown
     columns = min(len(shown), 4 if len(shown) in (4, 7, 8) else 3)
     lines = ceil(len(shown) / columns)
-    figure = canvas(0.3 + 3.1*lines, top=0.35, hspace=0.42, wspace=0.24)
-    for axes, condition in zip(figure.subplots(lines, columns, squeeze=False).flat, shown):
+    titles = [_landed(c.name, results.tables[c.name], 96 // columns) for c in shown]
+    top = 0.12 + 0.16*max(title.count('\n') + 1 for title in titles)
+    figure = canvas(0.3 + 3.1*lines, top=top, hspace=0.42, wspace=0.24)
+    panels = figure.subplots(lines, columns, squeeze=False).flat
+    for axes, condition, title in zip(panels, shown, titles):
         table = results.tables[condition.name]
         good = np.flatnonzero(table['success'])[:LANDED]
-        axes.plot(table['y_m'][good], table['z_m'][good], '.', color=BLUE, markersize=4.5,
+        axes.plot(table['z_m'][good], table['y_m'][good], '.', color=BLUE, markersize=4.5,
                   alpha=0.6, markeredgewidth=0)
         radius = condition.scenario.part('cone').docking_radius_m
         axes.add_patch(Circle((0, 0), radius, fill=False, edgecolor=INK, linewidth=1.6,
                               linestyle=DASHED))
         axes.set(xlim=(-1.1*radius, 1.1*radius), ylim=(-1.1*radius, 1.1*radius), aspect='equal',
-                 xlabel='y, radial [m]', ylabel='z, cross track [m]')
-        upper = table['y_m'][table['success']] > 0.0
-        axes.set_title(f'{condition.name}\n{100*upper.mean():.0f} % at y > 0' if upper.size
-                       else condition.name)
+                 xlabel='z, cross track [m]', ylabel='y, radial [m]')
+        axes.set_title(title)
     for axes in figure.axes[len(shown):]:
         axes.remove()
     return figure, (
         'Where successful runs met the docking plane, seen along the direction of flight: at most '
         f'the first {LANDED} of each condition. Dashed: the limit. The percentages are of all '
         'successful runs.')
+
+
+def _landed(name: str, table: dict[str, NDArray], width: int) -> str:
+    """Return the title of a condition's panel, in lines of `width` characters."""
+    upper, words = table['y_m'][table['success']] > 0.0, fill(worded(name), width)
+    return f'{words}\n{100*upper.mean():.0f} % at y > 0' if upper.size else words
 
 
 def tracks(results: Any) -> Drawn:
@@ -66,10 +76,11 @@ def tracks(results: Any) -> Drawn:
         states = flown_again(condition.scenario, results.tables[condition.name])
         for axes, lateral in zip(line, (1, 2)):
             _side_view(axes, condition.scenario, states, lateral)
-            axes.set_title(f'{condition.name}: x-{"xyz"[lateral]}')
+            axes.set_title(fill(f'{worded(condition.name)}: '
+                                f'{("", "from the side", "from above")[lateral]}', 56))
         if states.shape[1]:
             share = _left_boundary(condition.scenario, states)
-            outside.append(f'{condition.name} {100*share:.0f} %')
+            outside.append(f'{worded(condition.name)} {100*share:.0f} %')
     for axes in panels[-1]:
         axes.set_xlabel('x, along track [m]')
     figure.legend(*panels[0, 0].get_legend_handles_labels(), ncols=3, loc='upper right',
@@ -119,7 +130,7 @@ def _side_view(axes: 'Axes', scenario: Scenario, states: NDArray[np.float64], la
         axes.plot(track[:, 0], track[:, lateral], color=BLUE, linewidth=0.7, alpha=0.55,
                   label='flown' if run == 0 else None)
     widest = 1.08 * float(wall.max())
-    axes.set(xlim=(first - 0.3, 0.6), ylim=(-widest, widest),
+    axes.set(xlim=(first - 0.3, 0.6), ylim=upwards(lateral, widest),
              ylabel=f'{"xyz"[lateral]}, {("", "radial", "cross track")[lateral]} [m]')
 
 
@@ -135,7 +146,7 @@ def failures(results: Any) -> Drawn:
         where = table['failed_x_m'][table['reason'] == 'left_corridor']
         share = np.histogram(where, bins)[0] / len(table['run'])
         axes.stairs(100*np.cumsum(share), bins, color=colour, linestyle=style, linewidth=1.6,
-                    baseline=None, label=condition.name)
+                    baseline=None, label=worded(condition.name))
     axes.set(xlabel='station x [m]', ylabel='left the corridor so far [% of runs]')
     axes.legend(loc='upper left')
     return figure, 'Share of all runs that have left the corridor before reaching each station.'
@@ -144,7 +155,8 @@ def failures(results: Any) -> Drawn:
 def comparison(results: Any) -> Drawn:
     """Draw success, delta-v, time, offset and least margin of every condition side by side."""
     names = list(results.tables)
-    left = min(0.04 + 0.0068*max(map(len, names)), 0.5)         # room for the longest name
+    words = [worded(name) for name in names]
+    left = min(0.04 + 0.0068*max(map(len, words)), 0.5)         # room for the longest name
     figure = canvas(1.0 + 0.27*len(names), left=left, wspace=0.12, top=0.15)
     first, *panels = figure.subplots(1, 1 + len(COMPARED), sharey=True)
     for at, name in enumerate(names):
@@ -154,7 +166,7 @@ def comparison(results: Any) -> Drawn:
         for panel, column in zip(panels, COMPARED):
             _spread(panel, at, table[column][table['success']])
     first.set(xlabel='success', xlim=(-0.05, 1.05))
-    first.set_yticks(range(len(names)), names)
+    first.set_yticks(range(len(names)), words)
     first.set_ylim(len(names) - 0.4, -0.6)
     for panel, label in zip(panels, COMPARED.values()):
         panel.set(xlabel=label)

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.recording.drawing import canvas, GREEN, INK, MUTED, ORANGE, VERMILLION
+from rvd_dynamics.recording.worded import worded
 
 NORMAL_95 = 1.959963984540054
 COLUMNS = ('success', 'reason', 'start_room_m', 'clearance_m', 'delta_v_m_s')
@@ -86,7 +87,7 @@ def draw(results: Any) -> tuple[Any, str]:
             room.plot(np.quantile(clearance, [0.0, 0.95]), [i, i], color=MUTED, linewidth=1.2)
             room.plot(np.quantile(clearance, [0.25, 0.75]), [i, i], color=INK, linewidth=4.0,
                       solid_capstyle='butt')
-    bars.set_yticks(at, names)
+    bars.set_yticks(at, [worded(name) for name in names])
     bars.invert_yaxis()
     bars.set(xlim=(0, 100), xlabel='runs from feasible starts [%]')
     room.axvline(0.0, color=VERMILLION, linewidth=1.0)

@@ -12,14 +12,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rvd_dynamics.commands.codes import KIND_ABORT
+from rvd_dynamics.commands.form import CommandForm
 from rvd_dynamics.commands.levels import HIGHEST, stick_axes, stick_levels, StickParams
 from rvd_dynamics.constants import RADIUS_MOON
 from rvd_dynamics.diagram.display import (
     Axis, Ball, Body, Box, Camera, CameraMark, Chart, Charts, CommandAxis, CommandRow, Commands,
-    Controller, Cylinder, DERIVED, Display, Flat, Gauge, Instrument, Instruments, Label,
-    Legend, Line, Number, Perspective, Reading, Readout, Ref, Revolved, Ring, Section, Solid,
-    Spot, Torus, Trail, TRUTH)
-from rvd_dynamics.diagram.run import Run
+    Controller, Cylinder, DERIVED, Digits, Display, Flat, Gauge, Instrument, Instruments, Label,
+    Legend, Line, Motion, Number, Perspective, Reading, Readout, Ref, Revolved, Ring, Section,
+    Solid, Spot, Torus, Trail, TRUTH)
+from rvd_dynamics.diagram.run import Legs, Run
 from rvd_dynamics.geometry.cone import (
     Cone, control_boundary, distance_at, radius, signed_distance)
 from rvd_dynamics.geometry.obstacles import clearance
@@ -27,7 +29,10 @@ from rvd_dynamics.motion import cw
 from rvd_dynamics.motion.orbit import OrbitParams, StartParams
 from rvd_groundstation.console.decode import Sample
 from rvd_groundstation.console.provider import MissionDisplay, RunFacts
-from rvd_missions.lunar_approach import signals
+from rvd_groundstation.prediction.abort import AbortProfile
+from rvd_missions.lunar_approach import advice, signals
+from rvd_missions.lunar_approach.aborted import AbortedWay
+from rvd_missions.lunar_approach.advice import both
 from rvd_missions.lunar_approach.scene import obstacle_spheres
 from rvd_missions.lunar_approach.settings import DockingParams, Obstacles
 
@@ -40,6 +45,7 @@ DRIFT_POINTS = 24               # points of the line where the chaser drifts if 
 FARTHEST_M = -36.0              # [m] first station at which the corridor is drawn
 STATIONS = 61                   # at which the control boundary is
 LEAST_EXTENT_M = 0.36           # [m] of the cross-section, which shrinks with the corridor
+MOST_EXTENT = 2.5               # wall radii: a chaser further out is shown at the section's edge
 AIM_FROM_M = -0.2               # [m] nearer than this the aim on the camera says nothing
 
 HULL, DARK, FOIL, CELLS = '#d5dbe2', '#3a4652', '#b98f4c', '#27508a'
@@ -53,7 +59,8 @@ class LunarDisplay(MissionDisplay):
 
     def __init__(self, facts: RunFacts, orbit: OrbitParams, start: StartParams, cone: Cone,
                  docking: DockingParams, stick: StickParams, approach_rate_m_s: float,
-                 obstacles: Obstacles, run: Run) -> None:
+                 obstacles: Obstacles, run: Run, form: CommandForm, legs: Legs,
+                 abort_profile: AbortProfile) -> None:
         self._orbit, self._cone, self._docking, self._stick = orbit, cone, docking, stick
         self._rate_m_s = approach_rate_m_s
         self._start_m = tuple(start.position_m)
@@ -63,6 +70,7 @@ class LunarDisplay(MissionDisplay):
         self._obstacles = obstacle_spheres(obstacles, run)
         self._places = np.array([sphere.place for sphere in self._obstacles]).reshape(-1, 3)
         self._radii = obstacles.radii
+        self._aborted = AbortedWay(abort_profile, form, orbit, legs, run)
         super().__init__(facts, self._display())
 
     # -- what is derived ------------------------------------------------------------------
@@ -79,11 +87,19 @@ class LunarDisplay(MissionDisplay):
             if state is not None:
                 made[f'wall_{name}'] = self._wall(state)
                 made[f'margin_{name}'] = float(signed_distance(state[:3], self._cone))
-        made.update(self._section(predicted if predicted is not None else measured))
-        outlook = None if predicted is None else self.outlook(predicted)
+        made.update(self._section(predicted if predicted is not None else measured,
+                                  max(offset(s) for s in (measured, predicted, np.zeros(3))
+                                      if s is not None)))
+        outlook = None if predicted is None else self.outlook(
+            predicted, self._push(newest[PREDICTION]))
+        made['ahead'] = self._ahead(newest) if predicted is not None else None
         made['drift'] = outlook and outlook['path']
         made['hit'] = outlook and outlook['hit'] and [0.0, *outlook['hit']]
         made['leave'] = self._leave_words(outlook)
+        made['room'] = None if predicted is None else float(
+            self._boundary(min(float(predicted[0]), 0.0)) - offset(predicted))
+        made['leave_s'] = None if outlook is None else (
+            HORIZON_S if outlook['leave'] is None else outlook['leave'])
         made['aim'] = None
         if measured is not None and predicted is not None and measured[0] < AIM_FROM_M:
             made['aim'] = [0.0, *(measured[1:3] - predicted[1:3]).tolist()]
@@ -100,13 +116,18 @@ class LunarDisplay(MissionDisplay):
         return control_boundary(station, self._cone, self._orbit.mean_motion, self._rate_m_s,
                                 self._loop_s)
 
-    def _section(self, state: NDArray | None) -> dict[str, Any]:
-        """Return wall and control boundary where the corridor is cut, and the words for where."""
+    def _section(self, state: NDArray | None, farthest: float) -> dict[str, Any]:
+        """
+        Return wall and control boundary where the corridor is cut, and the words for where.
+
+        The cut reaches to what is `farthest` [m] from the axis, within reason.
+        """
         x = float(self._start_m[0] if state is None else state[0])
         station = max(FARTHEST_M, min(x, 0.0))
         wall = float(radius(station, self._cone))
         return {'section_wall': wall, 'section_boundary': float(self._boundary(station)),
-                'section_extent': max(wall*1.12, LEAST_EXTENT_M),
+                'section_extent': max(wall*1.12, LEAST_EXTENT_M,
+                                      min(farthest*1.12, wall*MOST_EXTENT)),
                 'section_note': [f'at x = {shown(station, 1)} m', False]}
 
     def _leave_words(self, outlook: dict[str, Any] | None) -> list | None:
@@ -118,10 +139,33 @@ class LunarDisplay(MissionDisplay):
             return ['stays inside', False]
         return [f'{outlook["leave"]:.0f} s', outlook['leave'] < self._loop_s]
 
-    def outlook(self, state: NDArray) -> dict[str, Any]:
-        """
-        Return where a state (6,) stands in the corridor and where it drifts unpowered.
+    def sent(self, sample: Sample) -> None:
+        """Follow what is sent: after an ABORT the guard decides what acts."""
+        self._aborted.sent(sample.step, sample.parts['value'], sample.parts['kind'] == KIND_ABORT)
 
+    def _step_of(self, sample: Sample) -> int:
+        """Return the step at whose beginning a sample is valid."""
+        return round(sample.t / self.facts.step_s)
+
+    def _push(self, predicted: Sample) -> NDArray | None:
+        """Return what the guard adds to the drift, rows (x, y, z) [m]; None before an ABORT."""
+        if self._aborted.abort_step is None:
+            return None
+        return self._aborted.push(self._step_of(predicted), self._horizon)
+
+    def _ahead(self, newest: Mapping[str, Sample]) -> list[list[float]] | None:
+        """Return the way from the estimate to the prediction after an ABORT, None before one."""
+        estimate = state_in(newest, ESTIMATE)
+        if self._aborted.abort_step is None or estimate is None:
+            return None
+        return self._aborted.ahead(estimate, self._step_of(newest[ESTIMATE]),
+                                   self._step_of(newest[PREDICTION]))
+
+    def outlook(self, state: NDArray, push: NDArray | None = None) -> dict[str, Any]:
+        """
+        Return where a state (6,) stands in the corridor and where it drifts.
+
+        Unpowered, or with what the guard of an aborted approach adds: `push` (T, 3) [m].
         `margin` [m] to the wall, `leave` [s] until the drift leaves the corridor (None: it does
         not), `plane` [s] until it reaches the docking plane (None: never), `hit` (y, z) there,
         `path` rows (x, y, z).
@@ -130,6 +174,8 @@ class LunarDisplay(MissionDisplay):
         made: dict[str, Any] = {'margin': float(signed_distance(state[:3], corridor)),
                                 'leave': None, 'plane': None, 'hit': None}
         path = np.einsum('kij,j->ki', self._drift[:, :3], state)
+        if push is not None:
+            path = path + push
         y, z = path[:, 1], path[:, 2]
         margin = distance_at(path[:, 0], np.sqrt(y*y + z*z), corridor)
         plane = _crossing(self._horizon, -path[:, 0])
@@ -184,7 +230,8 @@ class LunarDisplay(MissionDisplay):
                 Trail('ahead', 'predicted', Ref(PREDICTION, 'position'),
                       spread=Number(DERIVED, 'spread_prediction'),
                       since=Ref(ESTIMATE, 'position'),
-                      since_spread=Number(DERIVED, 'spread_estimate')),
+                      since_spread=Number(DERIVED, 'spread_estimate'),
+                      anew=Ref(DERIVED, 'ahead')),
                 Line('drift', 'predicted', Ref(DERIVED, 'drift'), dashed=True),
                 Trail('true_path', 'truth', Ref(TRUTH, 'position'))),
             labels=tuple(Label(f'−{x} m', (-float(x), 0.0, 0.0)) for x in range(5, 40, 5)),
@@ -201,7 +248,7 @@ class LunarDisplay(MissionDisplay):
             sky=(Ball((0.0, -1.0, 0.0), asin(RADIUS_MOON / self._orbit.radius_m)),),
             camera=self._camera(rate),
             instruments=Instruments('Motion', (
-                Instrument('range', 'm', both('position', (0, 1, 2))),
+                Instrument('range', 'm', both('position', (0, 1, 2), past=0)),
                 Instrument('closing rate', 'm/s', both('velocity', (0,), 0.0, rate), 3),
                 Instrument('lateral offset', 'm', tuple(
                     Reading(role, Number(signal, 'position', (1, 2)),
@@ -218,13 +265,20 @@ class LunarDisplay(MissionDisplay):
                 CommandRow('automatic', 'automatic', Ref(AUTO, 'value')),
                 CommandRow('sent', 'sent', Ref(COMMAND, 'value')))),
             controller=Controller((
-                Axis('x', 'forward', 'back', (('KeyW', 'KeyS'),), 1, True),
-                Axis('y', 'up', 'down', (('ArrowUp', 'ArrowDown'), ('KeyR', 'KeyF')), 3, True),
-                Axis('z', 'right', 'left', (('ArrowRight', 'ArrowLeft'), ('KeyD', 'KeyA')), 2)),
+                Axis('x', 'forward', 'back', (('KeyW', 'KeyS'),), 1, True, along='+x'),
+                Axis('y', 'up', 'down', (('ArrowUp', 'ArrowDown'), ('KeyR', 'KeyF')), 3, True,
+                     along='+y'),
+                Axis('z', 'right', 'left', (('ArrowRight', 'ArrowLeft'), ('KeyD', 'KeyA')), 2,
+                     along='+z')),
                 tuple(level / HIGHEST for level in range(1, HIGHEST + 1)), verb='thrust'),
             charts=Charts('Prediction error', (
-                errors('position, cm', (0, 1, 2), 100.0), errors('rate, mm/s', (3, 4, 5), 1000.0)),
-                Ref(DERIVED, 'rms')),
+                *(error(f'{axis}, cm', i, 100.0) for i, axis in enumerate('xyz')),
+                *(error(f'{axis} rate, mm/s', i, 1000.0) for i, axis in enumerate('xyz', 3))),
+                Ref(DERIVED, 'rms'), columns=3, curve='predicted − received',
+                band='±2σ as claimed'),
+            alarms=advice.alarms(docking, self._loop_s, bool(self._obstacles)),
+            guidance=advice.guidance(docking, self._cone, -self._start_m[0], self._rate_m_s,
+                                     self._boundary),
             abort='braking and backing away',
             goal='docking within the limits',
             hint='Dock inside the green circle, slower than the limits.')
@@ -245,17 +299,23 @@ class LunarDisplay(MissionDisplay):
                      rings=tuple(zip(tens, self._boundary(np.array(tens)).tolist()))))
 
     def _camera(self, rate: float) -> Camera:
-        def readings(part: str, index: tuple[int, ...], roles: tuple[str, ...]) -> tuple:
+        def readings(part: str, index: tuple[int, ...], roles: tuple[str, ...],
+                     past: int | None = None) -> tuple:
             signals = {'truth': TRUTH, 'measured': TELEMETRY, 'predicted': PREDICTION}
-            return tuple(Reading(role, Number(signals[role], part, index)) for role in roles)
+            return tuple(Reading(role, Number(signals[role], part, index, past=past))
+                         for role in roles)
         return Camera(
             'docking camera · delayed', 'docking camera · truth', ('truth', 'chaser'),
-            self._start_m,
             marks=(CameraMark('goal', (0.0, 0.0, 0.0), self._cone.docking_radius_m),
                    CameraMark('predicted', Ref(DERIVED, 'aim'))),
             gauge=Gauge('m/s', 0.0, rate * 1.34, 0.05, 2,
                         readings('velocity', (0,), ('truth', 'measured', 'predicted')), rate),
-            distance=readings('position', (0, 1, 2), ('truth', 'measured')))
+            distance=readings('position', (0, 1, 2), ('truth', 'measured'), past=0),
+            numbers=Digits((
+                Motion('to go', both('position', (0,), factor=-1.0), both('velocity', (0,)),
+                       'closing', signed=False),
+                Motion('up', both('position', (1,)), both('velocity', (1,))),
+                Motion('right', both('position', (2,)), both('velocity', (2,))))))
 
     def _cut(self) -> Section:
         return Section(
@@ -283,6 +343,11 @@ def state_in(newest: Mapping[str, Sample], signal: str) -> NDArray | None:
     return np.array(sample.parts['position'] + sample.parts['velocity'])
 
 
+def offset(state: NDArray) -> float:
+    """Return how far a state (3 or more) is from the axis [m]."""
+    return float(np.hypot(state[1], state[2]))
+
+
 def two_sigma(sample: Sample | None) -> float | None:
     """Return two standard deviations [m] across the corridor, None when not estimated."""
     if sample is None or not sample.ok or 'sigma' not in sample.parts:
@@ -304,23 +369,16 @@ def shown(value: float, digits: int) -> str:
     return f'{value:.{digits}f}'.replace('-', '−')
 
 
-def both(part: str, index: tuple[int, ...], low: float | None = None, high: float | None = None
-         ) -> tuple[Reading, ...]:
-    """Return the readings of one part as measured and as predicted."""
-    return tuple(Reading(role, Number(signal, part, index), low, high)
-                 for role, signal in (('measured', TELEMETRY), ('predicted', PREDICTION)))
-
-
 def margins(name: str) -> tuple[Reading, ...]:
     """Return the readings of a derived distance that must not fall below 0."""
     return tuple(Reading(role, Number(DERIVED, f'{name}_{role}'), low=0.0)
                  for role in ('measured', 'predicted'))
 
 
-def errors(title: str, index: tuple[int, ...], factor: float) -> Chart:
-    """Return the chart of three errors with two sigma of the middle one, across the corridor."""
-    return Chart(title, tuple(Number(SCORE, 'error', (i,), factor) for i in index),
-                 Number(SCORE, 'sigma', (index[1],), factor))
+def error(title: str, i: int, factor: float) -> Chart:
+    """Return the chart of one component of the error, with two of its own sigma."""
+    return Chart(title, (Number(SCORE, 'error', (i,), factor),),
+                 Number(SCORE, 'sigma', (i,), factor))
 
 
 def chaser() -> tuple[Solid, ...]:

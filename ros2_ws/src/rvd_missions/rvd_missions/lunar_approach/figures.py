@@ -64,9 +64,14 @@ def _side_view(axes: 'Axes', run: Recording, lateral: int) -> None:
     seen = np.abs(_shown(state, lateral)[1])
     limit = 1.12 * min(max(widest, float(np.nanmax(seen, initial=0.0))), 2.5 * widest)
     axes.set(ylabel=f'{AXES[lateral]}, {("", "radial", "cross track")[lateral]} [m]',
-             xlim=(first - 0.3, 0.6), ylim=(-limit, limit))
+             xlim=(first - 0.3, 0.6), ylim=upwards(lateral, limit))
     axes.axvline(0.0, color=MUTED, linewidth=0.8)
-    axes.set_title(f'x-{AXES[lateral]} plane')
+    axes.set_title(('', 'Side: x-y plane', 'Top: x-z plane, z down')[lateral])
+
+
+def upwards(lateral: int, limit: float) -> tuple[float, float]:
+    """Return bottom and top of a side view as the console has it: from above, z points down."""
+    return (limit, -limit) if lateral == 2 else (-limit, limit)
 
 
 def draw_obstacles(axes: 'Axes', scenario: Scenario, lateral: int, run: int | None = None) -> None:
@@ -105,19 +110,19 @@ def _mark_exit(axes: 'Axes', run: Recording, lateral: int) -> None:
 
 
 def _end_view(axes: 'Axes', run: Recording) -> None:
-    """Look along +x at the last two metres."""
+    """Look along +x at the last two metres, as the console's section does: z right, y up."""
     from matplotlib.patches import Circle
     state, limit = run.of(TRUTH).state, run.scenario.part('cone').docking_radius_m
     near = state[state[:, 0] > -2.0]
     axes.add_patch(Circle((0, 0), limit, fill=False, edgecolor=INK, linestyle=DASHED,
                           linewidth=1.8))
-    axes.plot(near[:, 1], near[:, 2], color=INK, linewidth=1.8)
+    axes.plot(near[:, 2], near[:, 1], color=INK, linewidth=1.8)
     if len(near):
         inside = run.verdict is not None and run.verdict.success
-        axes.plot(near[-1, 1], near[-1, 2], 'o' if inside else 'X', markersize=8, zorder=5,
+        axes.plot(near[-1, 2], near[-1, 1], 'o' if inside else 'X', markersize=8, zorder=5,
                   color=GREEN if inside else VERMILLION, markeredgewidth=0)
     reach = 1.25 * max(limit, float(np.abs(near[:, 1:3]).max(initial=0.0)))
-    axes.set(xlabel='y [m]', ylabel='z [m]', xlim=(-reach, reach), ylim=(-reach, reach),
+    axes.set(xlabel='z [m]', ylabel='y [m]', xlim=(-reach, reach), ylim=(-reach, reach),
              aspect='equal')
     axes.set_title('last 2 m, along +x')
 
@@ -235,7 +240,8 @@ def _scaled_to(axes: 'Axes', values: NDArray) -> None:
 FIGURES = {
     'approach': Figure(
         approach, 'Approach',
-        'The track in two planes of the target orbital frame; the lateral scale is stretched. '
+        'The track from the side and from above, as the console shows it, in the target orbital '
+        'frame; the lateral scale is stretched. '
         'Outside the control boundary, drift can carry the chaser to the wall before a command '
         'sent now takes effect. Each panel shows the cone cut along its axis: the chaser meets '
         'the wall when its distance from the axis, not y or z alone, reaches the radius of the '

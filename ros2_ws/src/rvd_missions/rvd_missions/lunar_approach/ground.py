@@ -62,12 +62,6 @@ def approach_rate_m_s(scenario: Scenario) -> float:
         scenario.settings('operator_model').closing_rate_m_s, SLOWEST_RATE)
 
 
-def abort_profile(scenario: Scenario) -> AbortProfile:
-    """Return what an ABORT does, as the ground and the guard have agreed."""
-    return AbortProfile(scenario.settings('onboard_guard').abort_burn_s,
-                        scenario.settings('link_forward'), scenario.part('legs'), scenario.run)
-
-
 def tape(scenario: Scenario) -> Tape:
     """
     Return the tape that the operator replays.

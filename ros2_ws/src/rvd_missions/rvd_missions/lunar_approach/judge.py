@@ -172,7 +172,8 @@ class Judge:
                   exit_time, *exit_position, *more)
         return Verdict(
             self._shaped(reason == DOCKED), self._shaped(REASONS[reason]), self._shaped(duration),
-            {m.name: self._shaped(v) for m, v in zip(self.measures, values, strict=True)})
+            {m.name: self._shaped(v) for m, v in zip(self.measures, values, strict=True)},
+            self._shaped(np.where(reason == LEFT_CORRIDOR, exit_time, np.nan)))
 
     def _shaped(self, field: NDArray) -> Any:
         """Return a private copy of a field (N,) in the batch's shape; of a single run a number."""

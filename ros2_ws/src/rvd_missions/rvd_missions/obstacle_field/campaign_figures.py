@@ -11,6 +11,7 @@ import numpy as np
 from rvd_dynamics.diagram.in_process import fly
 from rvd_dynamics.recording.drawing import (
     ABOVE, BLUE, CampaignFigure, canvas, DASHED, INK, LINES, ORANGE)
+from rvd_dynamics.recording.worded import worded
 from rvd_missions.obstacle_field.figures import draw_obstacles, name_planes, planes
 from rvd_missions.obstacle_field.signals import TRUTH
 
@@ -42,11 +43,12 @@ def tracks(results: Any) -> Drawn:
         scenario, history = group[0][0].scenario, group[0][1]
         draw_obstacles(axes, history.obstacles, scenario.part('obstacles').radii)
         for (condition, flown), (colour, style, _) in zip(group, LOOKS):
-            planes(axes, flown.state, colour, linestyle=style, linewidth=1.1, label=condition.name)
+            planes(axes, flown.state, colour, linestyle=style, linewidth=1.1,
+                   label=worded(condition.name))
         name_planes(axes, scenario.part('craft'))
         axes[1].legend(loc='best')
-    return figure, ('True tracks in the orbital plane and in the horizontal one. Orange: the '
-                    'obstacles where they start; dotted: the way of those that move.')
+    return figure, ('True tracks from the side and from above, as the console shows them. Discs: '
+                    'the obstacles where they start; dotted: the way of those that move.')
 
 
 def speeds(results: Any) -> Drawn:
@@ -59,7 +61,8 @@ def speeds(results: Any) -> Drawn:
         r, v = (np.linalg.norm(history.state[:, part], axis=1)
                 for part in (slice(0, 3), slice(3, 6)))
         over_time.semilogy(_seconds(condition, history)[1:], 1000.0*np.maximum(v[1:], 1e-6),
-                           color=colour, linestyle=style, linewidth=1.1, label=condition.name)
+                           color=colour, linestyle=style, linewidth=1.1,
+                           label=worded(condition.name))
         over_distance.loglog(r[1:] - craft.contact_m, 1000.0*np.maximum(v[1:], 1e-6), color=colour,
                              linestyle=style, linewidth=1.1)
         limits.setdefault(corridor, r - craft.contact_m)
@@ -83,7 +86,7 @@ def near_target(results: Any) -> Drawn:
         late = t > t[-1] - 300.0
         panel.plot(t[late], 1000.0*v[late], color=BLUE, linewidth=1.0)
         panel.set(ylabel='[mm/s]', ylim=(0.0, None))
-        panel.set_title(condition.name)
+        panel.set_title(worded(condition.name))
     panel.set(xlabel='time [s]')
     return figure, 'Speed in the last 300 s of the first run of each condition.'
 
@@ -97,7 +100,7 @@ def accelerations(results: Any) -> Drawn:
         panel.step(_seconds(condition, history)[:-1], 1000.0*history.acceleration[1:, 0],
                    where='post', color=BLUE, linewidth=0.8)
         panel.set(ylabel='[mm/s²]')
-        panel.set_title(condition.name)
+        panel.set_title(worded(condition.name))
     panel.set(xlabel='time [s]')
     return figure, 'Acceleration along track in the first run of each condition.'
 
@@ -120,7 +123,7 @@ def spread(results: Any) -> Drawn:
                            solid_capstyle='butt')
                 panel.plot(middle, at, 'o', color=ORANGE, markersize=5)
         panel.set(xlabel=label)
-    panels[0].set_yticks(range(len(names)), names)
+    panels[0].set_yticks(range(len(names)), [worded(name) for name in names])
     panels[0].invert_yaxis()
     panels[1].axvline(0.0, color=INK, linestyle=DASHED, linewidth=0.8)
     return figure, 'Median, quartiles, and 5 to 95 % of all runs of each condition.'

@@ -12,7 +12,7 @@ import numpy as np
 
 from rvd_dynamics.commands.form import CommandForm
 from rvd_dynamics.diagram.display import (
-    Body, Box, CommandAxis, CommandRow, Commands, DERIVED, Display, Field, Flat, Instrument,
+    Alarm, Body, Box, CommandAxis, CommandRow, Commands, DERIVED, Display, Field, Flat, Instrument,
     Instruments, Legend, Line, Number, Perspective, Reading, Ref, Sphere, Spheres, Trail, TRUTH)
 from rvd_dynamics.diagram.scenario import Scenario
 from rvd_dynamics.geometry.speed_corridor import SpeedCorridor
@@ -26,6 +26,7 @@ ESTIMATED, PREDICTED = ESTIMATE.name, PREDICTION.name
 HULL, STATION = '#d5dbe2', '#c3cad2'
 LARGE = 1e9                             # more than any thruster gives
 DIGITS = 4
+BACK_M, BACK_MM_S = 0.05, 2.0           # by which an alarm's reading must be inside its limit again
 
 
 def scene(scenario: Scenario) -> Field:
@@ -112,11 +113,7 @@ class FieldDisplay(MissionDisplay):
                 Flat('Top', '+x', '-z', tuple(0.5*v for v in start), 1.25*far)),
             instruments=Instruments('Approach', (
                 Instrument('range', 'm', _both('position', (0, 1, 2))),
-                Instrument('speed', 'mm/s', tuple(
-                    Reading(role, Number(signal, 'velocity', (0, 1, 2), 1000.0),
-                            high=Number(DERIVED, f'limit_{role}', (0,), 1000.0)
-                            if self._corridor.kept else None)
-                    for role, signal in (('measured', TELEMETRY), ('predicted', PREDICTED))), 1),
+                Instrument('speed', 'mm/s', self._speeds(), 1),
                 Instrument('clearance', 'm', tuple(
                     Reading(role, Number(DERIVED, f'clearance_{role}'), low=0.0)
                     for role in ('measured', 'predicted'))),
@@ -125,8 +122,22 @@ class FieldDisplay(MissionDisplay):
                 'Thrust', tuple(CommandAxis(a, m) for a, m in zip('xyz', most)), COMMAND,
                 (CommandRow('sent', 'sent', Ref(COMMAND, 'value')),),
                 digits=DIGITS if unit else 0, unit=unit),
+            alarms=(
+                *(Alarm(words, (Reading(role, Number(DERIVED, f'clearance_{role}'), low=0.0),),
+                        'clearance', 'm', back=BACK_M)
+                  for words, role in (('AT AN OBSTACLE', 'measured'),
+                                      ('HEADING FOR AN OBSTACLE', 'predicted'))),
+                *((Alarm('TOO FAST', self._speeds(), 'speed', 'mm/s', 1, BACK_MM_S),)
+                  if self._corridor.kept else ())),
             modes=(), abort='thrusting away from the target',
             goal='arriving without touching an obstacle')
+
+    def _speeds(self) -> tuple[Reading, ...]:
+        """Return the speed, measured and predicted, with its limit where one is kept."""
+        return tuple(Reading(role, Number(signal, 'velocity', (0, 1, 2), 1000.0),
+                             high=Number(DERIVED, f'limit_{role}', (0,), 1000.0)
+                             if self._corridor.kept else None)
+                     for role, signal in (('measured', TELEMETRY), ('predicted', PREDICTED)))
 
 
 def _places(flat: list[float]) -> dict[str, list[float]]:

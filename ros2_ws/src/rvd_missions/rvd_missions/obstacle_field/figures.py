@@ -42,12 +42,15 @@ def draw_obstacles(axes: Any, obstacles: NDArray, radii: NDArray) -> None:
 
 
 def name_planes(axes: Any, craft: Any) -> None:
-    """Give two panels of tracks their target, names and equal scales."""
+    """Give the views from the side and from above (z down) target, names and equal scales."""
     from matplotlib.patches import Circle
     for panel, across in zip(axes, (1, 2)):
         panel.add_patch(Circle((0, 0), craft.target_radius_m, color=MUTED, linewidth=0))
         panel.set(xlabel='x, along track [m]', aspect='equal',
                   ylabel=f'{"xyz"[across]}, {("", "radial", "cross track")[across]} [m]')
+        panel.set_title(('', 'Side', 'Top, z down')[across])
+        if across == 2:
+            panel.invert_yaxis()                # as the console's view from above
 
 
 def track(run: Recording) -> Any:
@@ -122,8 +125,8 @@ def alarms(run: Recording) -> Any:
 
 FIGURES = {
     'track': Figure(
-        track, 'Track', 'True track in the orbital plane and in the horizontal one. Red: the '
-        'obstacles where they start; dotted: the way of those that move.', signals=(TRUTH,)),
+        track, 'Track', 'True track from the side and from above, as the console shows it. Discs: '
+        'the obstacles where they start; dotted: the way of those that move.', signals=(TRUTH,)),
     'approach': Figure(
         approach, 'Approach', 'Distance to the target, with the distance of arrival dashed; speed '
         'and its limit; clearance between the surfaces of the chaser and of each obstacle.',

@@ -15,6 +15,7 @@ from rvd_dynamics.diagram.control import Control
 from rvd_dynamics.diagram.params import choice
 from rvd_dynamics.diagram.run import Legs, Run
 from rvd_groundstation.guidance.safe_apf import SafeApf
+from rvd_groundstation.prediction.abort import AbortProfile
 from rvd_missions.obstacle_field.navigation import Navigation, NavigationParams
 from rvd_missions.obstacle_field.settings import Obstacles, Orbit, Start
 from rvd_missions.obstacle_field.signals import ESTIMATE, PREDICTION
@@ -31,10 +32,10 @@ class StatePredictor:
 
     def __init__(self, settings: NavigationParams, run: Run, legs: Legs, orbit: Orbit, start: Start,
                  obstacles: Obstacles, form: CommandForm, batch: tuple, block: Block,
-                 wanted: frozenset[str]) -> None:
+                 wanted: frozenset[str], abort_profile: AbortProfile) -> None:
         track = bool({'estimate.covariance', 'prediction.covariance'} & wanted)
         self._navigation = Navigation(settings, run, legs, orbit, start, obstacles, form, batch,
-                                      track)
+                                      track, abort_profile)
         self.news = self._navigation.news
         self._obstacles = block.writes['obstacles']
         self._estimate, self._prediction = block.writes['estimate'], block.writes['prediction']
@@ -44,13 +45,19 @@ class StatePredictor:
         """Return what the ground knows at step k; `late`: commands that were missing before."""
         known = self._navigation.advance(
             k, telemetry.state, telemetry.received, command.command if k else None,
-            {step: missed.command for step, missed in (late or {}).items()})
+            {step: (missed.command, _is_abort(missed)) for step, missed in (late or {}).items()},
+            _is_abort(command))
         before, after = known.own
         return {
             'estimate': ESTIMATE(state=known.estimate, valid=known.valid, covariance=before),
             'prediction': PREDICTION(state=known.predicted, valid=known.valid, covariance=after),
             'obstacles': self._obstacles(obstacles=known.obstacles, valid=known.valid,
                                          covariance=known.covariance)}
+
+
+def _is_abort(command: Any) -> bool:
+    """Say whether a command is an ABORT, which it is in all rows or in none."""
+    return bool(np.ravel(command.kind)[0] == KIND_ABORT)
 
 
 class AutoController:

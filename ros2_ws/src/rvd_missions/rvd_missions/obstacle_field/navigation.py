@@ -24,6 +24,7 @@ from rvd_dynamics.diagram.params import param, require, settings
 from rvd_dynamics.diagram.run import Legs, Run
 from rvd_dynamics.geometry.collision import require_definite
 from rvd_dynamics.motion import cw
+from rvd_groundstation.prediction.abort import AbortProfile
 from rvd_groundstation.prediction.filter import FilterParams
 from rvd_groundstation.prediction.predictor import Predictor, PredictorParams
 from rvd_missions.obstacle_field.settings import Obstacles, Orbit, Start
@@ -250,7 +251,8 @@ class Navigation:
     """What `state_predictor` computes; called once per step, in order."""
 
     def __init__(self, params: NavigationParams, run: Run, legs: Legs, orbit: Orbit, start: Start,
-                 obstacles: Obstacles, form: CommandForm, batch: tuple, track: bool) -> None:
+                 obstacles: Obstacles, form: CommandForm, batch: tuple, track: bool,
+                 abort: AbortProfile | None = None) -> None:
         self._chosen = params.on(legs)
         self._count = obstacles.count
         self._phi = cw.transition(orbit.mean_motion, run.step_s)
@@ -262,12 +264,13 @@ class Navigation:
         if self._chosen.filters:
             track = track or self._chosen.predicted
             self._predictor = Predictor(params.filter(), run, legs, orbit, start, form, batch,
-                                        track)
+                                        track, abort)
             self._tracker = Tracker(params, orbit, run, legs, obstacles, batch)
         else:
             self._direct = Direct(orbit, run, form, obstacles, batch)
 
-    def advance(self, k: int, measured: Array, received: NDArray, sent: Any, late: dict) -> Known:
+    def advance(self, k: int, measured: Array, received: NDArray, sent: Any, late: dict,
+                abort: bool = False) -> Known:
         """
         Return what is known at step k.
 
@@ -280,7 +283,10 @@ class Navigation:
         sent : ndarray, shape (..., 3), or None
             Command of the step before.
         late : dict
-            Commands of steps before that one, which were missing then.
+            Commands of steps before that one, which were missing then, each with whether it was
+            an ABORT.
+        abort : bool
+            Whether the command of the step before was an ABORT.
         """
         if k:
             self._open = cw.carried(self._open, self._phi)
@@ -288,8 +294,7 @@ class Navigation:
             own, around = self._direct.advance(measured, received, sent)
             return Known(own, own, around, self._direct.valid, self._opened(), (None, None))
         own, around = apart(measured)
-        p = self._predictor.advance(k, own, received, sent,
-                                    late={step: (c, False) for step, c in late.items()})
+        p = self._predictor.advance(k, own, received, sent, abort, late)
         around = self._tracker.advance(k, around, received)
         covariance = self._opened()
         if self._chosen.predicted:

@@ -14,9 +14,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rvd_dynamics.diagram.display import (
-    Body, Box, Chart, Charts, CommandAxis, CommandRow, Commands, Cylinder, DERIVED, Display, Flat,
-    Instrument, Instruments, Label, Legend, Line, Number, Perspective, Reading, Readout, Ref, Ring,
-    Section, Spot, Trail, TRUTH)
+    Alarm, Body, Box, Chart, Charts, CommandAxis, CommandRow, Commands, Cylinder, DERIVED, Display,
+    Flat, Instrument, Instruments, Label, Legend, Line, Number, Perspective, Reading, Readout, Ref,
+    Ring, Section, Spot, Trail, TRUTH)
 from rvd_dynamics.motion import attitude
 from rvd_groundstation.console.decode import Sample
 from rvd_groundstation.console.provider import MissionDisplay, RunFacts
@@ -24,6 +24,7 @@ from rvd_missions.tether.optimum import Preparation
 from rvd_missions.tether.signals import COMMAND, SITUATION, TELEMETRY
 
 SAID = SITUATION.name
+BACK_RAD = 0.005                        # by which an alarm's reading must be inside its limit again
 CONE_M = 8.0                            # length of the cone of view that is drawn
 OVER = np.array([1.0, 0.0, 0.0, 0.0])   # half a turn about x: from nadir to up
 
@@ -161,4 +162,7 @@ def _display(facts: RunFacts, preparation: Preparation) -> Display:
             errors('length, mm', (0,), (), 1.0),
             errors('error, mrad', (1, 2), ('bearing \u03b1, in plane', '\u03b2, across'), 0.05),
             errors('error, mrad ', (3, 4, 5), ('roll', 'pitch', 'yaw'), 0.5)), window_s=100.0),
+        alarms=(Alarm('TARGET OUT OF VIEW', (
+            Reading('measured', Number(SAID, 'sight_angle'), high=approach.view_rad),),
+            'sight angle', 'rad', 3, BACK_RAD),),
         modes=(), abort='braking by the tether', goal='arriving before the target')

@@ -68,6 +68,7 @@ class Judge:
         self._values['tension_N'] = np.full(batch, np.inf)
         self._before: NDArray | None = None
         self._defect = np.nan
+        self._blind_at = np.full(batch, np.nan)         # [s] when the target left the view first
 
     def follow(self, k: int, truth: Any) -> None:
         """Take the truth of step k, every step in order."""
@@ -77,6 +78,8 @@ class Judge:
         higher = live & (gamma > v['sight_angle_rad'])
         v['sight_peak_s'] = np.where(higher, k*h, v['sight_peak_s'])
         v['sight_angle_rad'] = np.where(higher, gamma, v['sight_angle_rad'])
+        out = live & ~(gamma < self._approach.view_rad)
+        self._blind_at = np.where(out, np.fmin(self._blind_at, k*h), self._blind_at)
         angles = geometry.euler(truth.state[..., 6:10])
         pitch = np.abs(angles[..., 1])
         v['pitch_peak_rad'] = np.where(live, np.fmax(v['pitch_peak_rad'], pitch),
@@ -132,4 +135,5 @@ class Judge:
         values = {name: np.where(over, v, np.nan) if name in at_end else v
                   for name, v in self._values.items()}
         values['plan_defect'] = np.where(over, self._defect, np.nan)
-        return Verdict(reason == 'arrived', reason, self._duration, values)
+        return Verdict(reason == 'arrived', reason, self._duration, values,
+                       np.where(reason == 'blind', self._blind_at, np.nan))

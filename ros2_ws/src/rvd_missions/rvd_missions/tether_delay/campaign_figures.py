@@ -7,6 +7,7 @@ from typing import Any, TYPE_CHECKING
 import numpy as np
 
 from rvd_dynamics.recording.drawing import ABOVE, CampaignFigure, canvas, INK, LINES
+from rvd_dynamics.recording.worded import worded
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Canvas
@@ -35,7 +36,7 @@ def delays(results: Any) -> tuple['Canvas', str]:
                                  for q in (0.05, 0.5, 0.95))
             axes.fill_between(x, low, high, color=colour, alpha=0.15, linewidth=0.0)
             axes.plot(x, middle, color=colour, linestyle=style, marker=marker, markersize=3.5,
-                      label=name)
+                      label=worded(name))
     for axes, label in zip(panels, DRAWN.values()):
         axes.set(ylabel=label)
     panels[1].axhline(0.0, color=INK, linewidth=0.8)

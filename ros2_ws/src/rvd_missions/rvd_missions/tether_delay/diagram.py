@@ -10,14 +10,14 @@ The data flow: the only place where it is written.
 """
 
 from rvd_dynamics.diagram.block import Block, GROUND, last, now, ONBOARD, WATCH, WORLD
-from rvd_dynamics.diagram.diagram import Diagram
+from rvd_dynamics.diagram.diagram import Diagram, Shown
 from rvd_dynamics.diagram.scenario import Scenario
 from rvd_dynamics.diagram.streams import Normals, StartNormals
 from rvd_dynamics.link.leg import leg
 from rvd_missions.tether_delay import HERE
 from rvd_missions.tether_delay.signals import (
-    ARRIVAL, COMMAND, CRAFT, DECISION, DOWNLINK, MEASUREMENT, SITUATION, TELEMETRY, THRUST,
-    TRACKING, TRUTH, UPLINK, WANTED)
+    ARRIVAL, COMMAND, CRAFT, DECISION, DOWNLINK, MEASUREMENT, NO_PLAN, SITUATION, TELEMETRY,
+    THRUST, TRACKING, TRUTH, UPLINK, WANTED)
 
 PACKAGE = 'rvd_missions'
 
@@ -55,4 +55,6 @@ def diagram(scenario: Scenario) -> Diagram:
               settings=settings['onboard_guard']),
         Block('columns', f'{HERE}.columns:Columns', WATCH, reads={
             'truth': now(TRUTH), 'craft': now(CRAFT), 'tracking': now(TRACKING)}, executable=''),
-    ), plant='gripper_dynamics', guard='onboard_guard', thrust=THRUST.name)
+    ), plant='gripper_dynamics', guard='onboard_guard', thrust=THRUST.name,
+        # the gripper brakes by itself, or stays on the latch: the guard goes on as it was
+        abort_in=Shown(CRAFT.name, 'plan', NO_PLAN))

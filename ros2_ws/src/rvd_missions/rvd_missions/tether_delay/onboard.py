@@ -32,8 +32,8 @@ from rvd_missions.tether.onboard import Feedback, seen, TrackerParams
 from rvd_missions.tether_delay.planning import Preparation
 from rvd_missions.tether_delay.settings import StandingParams
 from rvd_missions.tether_delay.signals import (
-    ABORTED, ARRIVED, BRAKING, CRAFT, DOWNLINK, FLYING, GO, HOLD, LATCHED, STANDING, TRACKING,
-    WANTED)
+    ABORTED, ARRIVED, BRAKING, CRAFT, DOWNLINK, FLYING, GO, HOLD, LATCHED, NO_PLAN, STANDING,
+    TRACKING, WANTED)
 
 LATE_S = 1.0                            # a plan whose begin is further back is not begun
 NEAREST_M = 1.0                         # the range that is believed in, at least
@@ -193,7 +193,7 @@ class OrderedTracker:
                                 self._brakes)
         self._doing = np.where(moving, to, self._doing)
         if to == ABORTED:                               # no plan will open that latch
-            self._flown = np.where(rows, np.iinfo(np.uint8).max, self._flown)
+            self._flown = np.where(rows, NO_PLAN, self._flown)
 
     def _tabulate(self, row: int) -> None:
         """Work out what the complete plan of a row says of each step."""

@@ -17,6 +17,7 @@ WAIT, GO, HOLD = range(3)               # orders
 # what the gripper does: on its latch; follows a plan; comes to rest; stands; stands at the end of a
 # plan; stands, or comes to rest, for good
 LATCHED, FLYING, BRAKING, STANDING, ARRIVED, ABORTED = range(6)
+NO_PLAN = 255                   # plan of a gripper that has been aborted: it will fly none
 
 # order; plan (its number, 0: none); which point of it (0: the start, K + 1: the end); its begin and
 # end [s]; state (12) and controls (7) there

@@ -3,10 +3,11 @@ What a mission shows on the console, as data; the page draws it and knows no mis
 
 A display says where numbers come from (`Ref`, `Number`: a part of a signal) and how they look:
 bodies made of simple solids, surfaces, lines, views, a camera, instruments, a cross-section, an
-attitude indicator, lamps, commands, the axes of the hand controller, charts, and the settings that
-may be changed before a run. Whatever has to be computed from signals (a
-distance to a wall, a path of free drift, words) is computed by the mission in Python and reaches
-the page as a part of the signal `DERIVED`. `as_data` turns a display into plain JSON values.
+attitude indicator, lamps, commands, the axes of the hand controller, charts, alarms, what a good
+approach is, and the settings that may be changed before a run. Whatever has to be computed from
+signals (a distance to a wall, a path of free drift, words) is computed by the mission in Python
+and reaches the page as a part of the signal `DERIVED`. `as_data` turns a display into plain JSON
+values.
 All of the vocabulary is imported from here.
 
 Frame   points and directions are in the frame of the mission's positions, [m].
@@ -19,14 +20,18 @@ from math import isfinite
 from typing import Any
 
 from rvd_dynamics.bad_input import BadInput
+from rvd_dynamics.diagram.display.alarms import Alarm
 from rvd_dynamics.diagram.display.cockpit import (  # noqa: F401 - the vocabulary
     Attitude, Form, LampGroup, Lamps, Needles, Pixels, Setting)
 from rvd_dynamics.diagram.display.panels import (  # noqa: F401 - the vocabulary
     Axis, Button, Camera, CameraMark, Chart, Charts, CommandAxis, CommandRow, Commands, Controller,
-    Gauge, Hand, Instrument, Instruments, Mode, PILOTED, Reading, Readout, Ring, Section, Spot)
+    Gauge, Hand, Instrument, Instruments, Mode, PILOTED, Readout, Ring, Section, Spot)
 from rvd_dynamics.diagram.display.parts import (  # noqa: F401 - the vocabulary
     DERIVED, is_real, MODES, MOST_AXES, MOST_BUTTONS, Number, Ref, require_known, SENT_PARTS,
     TRUTH)
+from rvd_dynamics.diagram.display.pilot import (  # noqa: F401 - the vocabulary
+    Digits, Gate, Guidance, Motion)
+from rvd_dynamics.diagram.display.readings import Reading   # noqa: F401 - the vocabulary
 from rvd_dynamics.diagram.display.scene import (  # noqa: F401 - the vocabulary
     Ball, Body, Box, cone, Cylinder, Field, Flat, Label, Legend, Line, Perspective, Revolved, Solid,
     Sphere, Spheres, Surface, Torus, Trail, View)
@@ -67,6 +72,8 @@ class Display:
     abort: str = ''             # what the craft does under ABORT: "braking and backing away"
     goal: str = 'success'       # what a good flight is: "docking within the limits"
     hint: str = ''              # what a pilot is told before a flight
+    alarms: tuple[Alarm, ...] = ()          # in the order of their weight
+    guidance: Guidance | None = None        # what a good approach is
 
     def __post_init__(self) -> None:
         require(bool(self.measured), 'display.measured', 'name a signal', repr(self.measured))
@@ -88,6 +95,8 @@ class Display:
         labels = [view.label for view in self.views]
         require(len(set(labels)) == len(labels), 'display.views', 'have labels of their own',
                 labels)
+        said = [alarm.words for alarm in self.alarms]
+        require(len(set(said)) == len(said), 'display.alarms', 'have words of their own', said)
         for part in walk(self):
             shown = [getattr(part, name, None) for name in ('value', 'place', 'points')]
             shown += list(getattr(part, 'angles', ())) + list(getattr(part, 'rates', None) or ())

@@ -5,31 +5,15 @@ from math import tan
 
 from rvd_dynamics.diagram.display.cockpit import Pixels
 from rvd_dynamics.diagram.display.parts import (
-    COLUMNS, is_real, MARKS, MODES, MOST_AXES, MOST_BUTTONS, Number, PAGE_KEYS, Point, Ref,
+    DIRECTIONS, is_real, MARKS, MODES, MOST_AXES, MOST_BUTTONS, Number, PAGE_KEYS, Point, Ref,
     require_digits, require_finite, require_place, require_plane, require_point, require_positive,
     require_role, TRUTH)
+from rvd_dynamics.diagram.display.pilot import Digits
+from rvd_dynamics.diagram.display.readings import Reading
 from rvd_dynamics.diagram.params import require
 
 
 # -- numbers that are read ----------------------------------------------------------------
-
-@dataclass(frozen=True)
-class Reading:
-    """A number in the column of its role; one at or beyond `low` or `high` is marked."""
-
-    role: str
-    value: Number
-    low: float | Number | None = None
-    high: float | Number | None = None
-
-    def __post_init__(self) -> None:
-        require(self.role in COLUMNS, 'reading.role', f'be one of {", ".join(COLUMNS)}',
-                repr(self.role))
-        for name in ('low', 'high'):
-            limit = getattr(self, name)
-            if limit is not None and not isinstance(limit, Number):
-                require_finite(f'reading.{name}', limit)
-
 
 @dataclass(frozen=True)
 class Instrument:
@@ -172,16 +156,17 @@ class Camera:
     """
     What a camera sees that one of the bodies carries: what stands still, and no moving body.
 
-    `carried_by` names bodies; the first whose place is known carries it. It looks along
-    `look`; at the distance of `aim_m` half its picture's height is `half_height_m`, within the
-    two tangents of half the field of view `half_field`. Before any place is known it is at
-    `start_m`. Marks with role predicted are left out while the truth carries it.
+    `carried_by` names bodies; the first whose place is known carries it, and before any is, it
+    shows nothing. It looks along `look`. Its field of view is that of a lens with fixed steps,
+    each twice as wide as the one before, between the two tangents of half the field of view
+    `half_field`: the narrowest that shows `half_height_m` at the distance of `aim_m`. The page
+    writes the angle and says when it changes. Marks with role predicted are left out while the
+    truth carries it.
     """
 
     title: str
     review_title: str           # of a review, where the truth may carry it
     carried_by: tuple[str, ...]
-    start_m: Point
     at_m: Point = (0.0, 0.0, 0.0)           # where it is on that body, in its axes
     turns: bool = False         # with the body's attitude; else `look` and `up` stand
     aim_m: Point = (0.0, 0.0, 0.0)
@@ -195,10 +180,11 @@ class Camera:
     distance: tuple[Reading, ...] = ()    # written in a corner: the first that is known
     unit: str = 'm'
     digits: int = 1
+    numbers: Digits | None = None           # large, over its picture, instead of that distance
 
     def __post_init__(self) -> None:
         require(len(self.carried_by) > 0, 'camera.carried_by', 'name a body', self.carried_by)
-        for name in ('start_m', 'at_m', 'aim_m'):
+        for name in ('at_m', 'aim_m'):
             require_point(f'camera.{name}', getattr(self, name))
         require_plane('camera', self.look, self.up)
         require_positive('camera.half_height_m', self.half_height_m)
@@ -273,8 +259,11 @@ class Axis:
     pad_axis: int = 0
     pad_inverted: bool = False
     pad_pair: tuple[int, int] | None = None     # buttons towards + and -
+    along: str = ''             # direction of the scene into which + pushes; '' where it turns
 
     def __post_init__(self) -> None:
+        require(self.along in ('', *DIRECTIONS), f'axis {self.name}: along',
+                f'be empty or one of {", ".join(DIRECTIONS)}', repr(self.along))
         require(self.name.isidentifier(), 'axis.name', 'be a plain word', repr(self.name))
         for pair in self.keys:
             require(len(pair) == 2 and all(isinstance(code, str) and code for code in pair),
@@ -395,7 +384,7 @@ class Chart:
     """
     A strip of curves against the stamp of their signal, about zero if it is `centred`.
 
-    `spread`, times `spread_factor`, is drawn dashed on both sides of zero; `levels` are dashed
+    `spread`, times `spread_factor`, is drawn as a band on both sides of zero; `levels` are dashed
     lines that stand. Curves of the truth may be among others, and are empty but in a review.
     """
 
@@ -407,6 +396,7 @@ class Chart:
     names: tuple[str, ...] = ()             # of the curves, written in their colours
     centred: bool = True        # else the scale holds what there is, and the levels
     levels: tuple[float, ...] = ()
+    wide: bool = False          # takes a whole line where several stand side by side
 
     def __post_init__(self) -> None:
         require(0 < len(self.curves) <= 6, f'chart {self.title}: curves', 'be 1 to 6',
@@ -428,13 +418,21 @@ class Chart:
 
 @dataclass(frozen=True)
 class Charts:
-    """The panel of charts; `note` is words beside its title."""
+    """
+    The panel of charts; `note` is words beside its title.
+
+    `columns` of them stand side by side. `curve` and `band` say what a line and a band are.
+    """
 
     title: str
     strips: tuple[Chart, ...]
     note: Ref | None = None
     window_s: float = 60.0
+    columns: int = 1
+    curve: str = ''
+    band: str = ''
 
     def __post_init__(self) -> None:
         require(len(self.strips) > 0, 'charts.strips', 'be one or more', self.strips)
+        require(self.columns in (1, 2, 3), 'charts.columns', 'be 1 to 3', self.columns)
         require_positive('charts.window_s', self.window_s)

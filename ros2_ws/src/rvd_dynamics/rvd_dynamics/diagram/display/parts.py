@@ -35,7 +35,7 @@ MOST_AXES = 6                   # of a hand controller: three to push, three to 
 # Keys that the page itself listens to, as KeyboardEvent.code says them.
 PAGE_KEYS = frozenset({
     'KeyT', 'KeyP', 'KeyX', 'KeyN', 'KeyV', 'KeyL', 'KeyG', 'KeyM', 'Slash', 'Equal', 'Minus',
-    'BracketLeft', 'BracketRight', 'Space', 'Escape', 'Enter', 'Tab'})
+    'KeyK', 'KeyO', 'BracketLeft', 'BracketRight', 'Space', 'Escape', 'Enter', 'Tab'})
 
 Point = tuple[float, float, float]
 COLOUR = re.compile('#[0-9a-f]{6}')
@@ -116,12 +116,18 @@ class Ref:
 
 @dataclass(frozen=True)
 class Number:
-    """One number of a signal: a component of a part, or the length of several components."""
+    """
+    One number of a signal: a component of a part, or the length of several components.
+
+    A length has a sign where `past` names a component of the part: it is negative where that one
+    is positive, past a plane, say.
+    """
 
     signal: str
     part: str
     index: tuple[int, ...] = (0,)
     factor: float = 1.0         # into the unit that is shown
+    past: int | None = None
 
     def __post_init__(self) -> None:
         require(bool(self.signal), 'number.signal', 'not be empty', repr(self.signal))
@@ -129,3 +135,5 @@ class Number:
         require(len(self.index) > 0 and all(isinstance(i, int) and i >= 0 for i in self.index),
                 'number.index', 'name components from 0', self.index)
         require_finite('number.factor', self.factor)
+        require(self.past is None or isinstance(self.past, int) and self.past >= 0,
+                'number.past', 'name a component from 0', self.past)

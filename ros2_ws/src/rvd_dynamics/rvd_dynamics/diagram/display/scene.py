@@ -234,7 +234,8 @@ class Trail:
 
     With `since`, a place of another signal, it is the way ahead: it begins there and holds what
     was said for later instants than that signal's newest. `spread` is a radius [m] about the
-    line, drawn as a tube; `since_spread` the one at its beginning.
+    line, drawn as a tube; `since_spread` the one at its beginning. Where `anew` is known, rows of
+    points, they are the way ahead in place of what was said before: other commands act now.
     """
 
     name: str
@@ -244,6 +245,7 @@ class Trail:
     spread: Number | None = None
     since: Ref | None = None
     since_spread: Number | None = None
+    anew: Ref | None = None
 
     def __post_init__(self) -> None:
         require(bool(self.name), 'trail.name', 'not be empty', repr(self.name))

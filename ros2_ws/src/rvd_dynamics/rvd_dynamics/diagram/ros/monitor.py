@@ -1,8 +1,9 @@
 """
-The judge as a node: reads truth and nothing else, outside the ring.
+The judge as a node, outside the ring: it judges the truth and nothing else.
 
 Reads       the plant's truth, each step once and in order; what else is there is refused;
-            and who announces a writer on the topics of the run
+            what shows an ABORT on board and what the run says of one: a run that was aborted was
+            that (`aborts`); and who announces a writer on the topics of the run
 Publishes   /run/verdict    rvd_interfaces/Verdict, at most 10 a second of wall time while the run
             goes on, and the final one
 
@@ -10,6 +11,7 @@ The final verdict goes to `fly` by a line of its own, too (`verdict_line`): anyb
 topic. Whoever does is named there, by the event SECOND_WRITER, and in /diagnostics.
 """
 
+import math
 import time
 from typing import Any
 
@@ -17,18 +19,20 @@ from rclpy.serialization import serialize_message
 
 from rvd_dynamics import verdict_line
 from rvd_dynamics.bad_input import BadInput
+from rvd_dynamics.diagram.aborts import Aborts
 from rvd_dynamics.diagram.build import made
-from rvd_dynamics.diagram.judge import judgement
-from rvd_dynamics.diagram.ros.boundary import content, Refused
+from rvd_dynamics.diagram.judge import aborted, judgement
+from rvd_dynamics.diagram.ros.boundary import content, read, Refused
 from rvd_dynamics.diagram.ros.conversions import header_at, verdict_to_msg
 from rvd_dynamics.diagram.ros.host import Host, message_type
 from rvd_dynamics.diagram.ros.node import RunNode
 from rvd_dynamics.diagram.ros.writers import LOOK_S, Writers
 from rvd_dynamics.diagram.roster import MONITOR
-from rvd_interfaces.msg import Verdict
+from rvd_interfaces.msg import RunEvent, Verdict
 
 GAP_S = 2.0                     # [s] wall time in which what is due may still come
 IN_A_ROW = 16                   # [steps] that come too early, if the plant's word cannot be had
+ABORT_S = 0.5                   # [s] wall time in which the guard's last word may still come
 PERIOD_S = 0.1                  # [s] wall time between two verdicts under way
 
 
@@ -40,6 +44,11 @@ class MissionMonitor(RunNode):
         self._out = self.writer('/run/verdict', Verdict)
         self._published = time.monotonic()
         self._judged_final = False
+        self._aborts = Aborts(self.run.step_s)
+        self._board_step = -1                   # newest that was looked at
+        self._board = b''                       # the newest of it from another process, serialised
+        self._board_is_local = True
+        self._final_at: float | None = None     # wall time at which the final truth came
         self._writers = Writers(self.roster, host.run_id, self)
         self._ahead: range = range(0)           # steps in a row that came before they were due
         self._looks = 0                         # since then, without a step that was due
@@ -51,12 +60,60 @@ class MissionMonitor(RunNode):
     def connect(self) -> None:
         """Listen to the truth, and see who writes."""
         self.create_timer(LOOK_S, self.guarded(self._look))
+        self._follow_aborts()
         truth = self.roster.diagram.truth
         if self.host.is_local(truth.name):
             self.host.take(truth.name, self.guarded(self._on_truth))
             return
         self._taken = content(truth, self.codec_of(truth))
         self.watch(truth.name, message_type(truth.message), self._heard, rests=True)
+
+    # -- aborts ---------------------------------------------------------------------------
+
+    def _follow_aborts(self) -> None:
+        """Listen to what shows an ABORT on board and to what the run says."""
+        diagram, shown = self.roster.diagram, self.roster.diagram.abort_shown
+        if shown is None:
+            return
+        signal = diagram.signals[shown.signal]
+        if self.host.is_local(signal.name):
+            self.host.take(signal.name, self.guarded(self._on_board))
+        else:
+            self._board_is_local = False
+            self._board_kind = message_type(signal.message)
+            self._board_taken = content(signal, self.codec_of(signal))
+            self.watch(signal.name, self._board_kind, self._on_board_bytes, raw=True)
+        if any(block.control for block in diagram.blocks if block.name in self.host.nodes):
+            self.host.take('/run/events', self.guarded(self._on_event))
+        else:
+            self.watch('/run/events', RunEvent, lambda m: self._on_event(m.step, m))
+
+    def _on_event(self, step: int, event: RunEvent) -> None:
+        self._aborts.event(step, event.code)
+
+    def _on_board(self, step: int, value: Any) -> None:
+        shown = self.roster.diagram.abort_shown
+        self._aborts.board(step, getattr(value, shown.part) == shown.value)
+
+    def _on_board_bytes(self, data: bytes) -> None:
+        """Keep what is on board; it is looked at once an ABORT has been asked for."""
+        self._board = data
+        if self._aborts.asked:
+            self._look_on_board()
+            self._end_if_known()
+
+    def _look_on_board(self) -> None:
+        data, self._board = self._board, b''
+        if not data:
+            return
+        try:
+            message = read(data, self._board_kind)
+            self._on_board(message.step, self._board_taken(message.step, message))
+            self._board_step = max(self._board_step, message.step)
+        except Refused as why:
+            self.refuse(self.roster.diagram.abort_shown.signal, str(why))
+
+    # -- truth ----------------------------------------------------------------------------
 
     def _heard(self, message: Any) -> None:
         """Take truth from another process, if it is of the step that comes next."""
@@ -119,16 +176,32 @@ class MissionMonitor(RunNode):
         self.step = step
         self._judge.follow(step, truth)
         now = time.monotonic()
-        if truth.final or now - self._published >= PERIOD_S:
-            self._published = now
-            self._publish(bool(truth.final))
-        self.host.diagnose()
         if truth.final:
-            self._judged_final = True
-            self.finish()
+            self._final_at = now
+            self._end_if_known()
+        elif now - self._published >= PERIOD_S:
+            self._published = now
+            self._publish(False)
+        self.host.diagnose()
+
+    def _end_if_known(self) -> None:
+        """Say the final verdict, once it is known whether an ABORT was in force."""
+        if self._judged_final or self._final_at is None:
+            return
+        if self._aborts.asked and math.isnan(self._aborts.since(self.step)):
+            self._look_on_board()
+            if (self._board_step < self.step - 1 and not self._board_is_local
+                    and time.monotonic() - self._final_at < ABORT_S):
+                return                          # its last word is under way
+        self._judged_final = True
+        self._publish(True)
+        self.finish()
 
     def _publish(self, final: bool) -> None:
-        judged = judgement(self._judge, self._judge.verdict(final))
+        verdict = self._judge.verdict(final)
+        if final:
+            verdict = aborted(verdict, self._aborts.since(self.step))
+        judged = judgement(self._judge, verdict)
         header = header_at(self.step * self.run.step_ns, self.run.frame_id)
         message = serialize_message(verdict_to_msg(header, self.step, final, judged))
         if final:
@@ -136,6 +209,7 @@ class MissionMonitor(RunNode):
         self.host.publish(self._out, '/run/verdict', self.step, message)
 
     def _look(self) -> None:
+        self._end_if_known()
         self._look_at_gap()
         for stranger in self._writers.look(self.host.begun, self.host.traced):
             self.trouble[f'{stranger.topic} {stranger.node}'] = stranger.words
