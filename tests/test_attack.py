@@ -11,7 +11,9 @@ import signal
 import subprocess
 import sys
 import time
+from types import SimpleNamespace
 
+import numpy as np
 import pytest
 from runs import rvd
 
@@ -220,6 +222,19 @@ def test_signals_name_their_victim_leave_nothing_and_a_bag(tmp_path):
 @pytest.mark.patient
 def test_a_stranger_over_dds_ends_no_node(tmp_path):
     held('dds', 100, keep=tmp_path)
+
+
+def test_a_command_that_the_ground_never_sent_is_told_as_far_as_the_bag_goes():
+    """The ground says 1 to 40; each is at the thrusters 10 steps later."""
+    steps = np.arange(40)
+    ground = SimpleNamespace(step=steps, sequence=steps + 1, levels=np.c_[steps % 3, steps, steps])
+    thrust = SimpleNamespace(step=steps + 10, sequence=steps + 1, levels=ground.levels.copy(),
+                             valid=np.ones(40, bool))
+    assert dds.unsent(ground, thrust, 10) == []
+    cut = SimpleNamespace(**{name: column[:25] for name, column in vars(ground).items()})
+    assert dds.unsent(cut, thrust, 10) == []            # 26 and later may have been sent
+    thrust.sequence[24], thrust.levels[20] = 2**62, (2, 1, 0)
+    assert len(dds.unsent(cut, thrust, 10)) == 2
 
 
 @pytest.mark.slow

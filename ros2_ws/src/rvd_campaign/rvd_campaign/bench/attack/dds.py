@@ -14,6 +14,7 @@ import re
 import subprocess
 import sys
 import tempfile
+from typing import Any
 
 from rvd_campaign import catalogue
 from rvd_campaign.bench.attack import Case, Kind, Outcome
@@ -49,24 +50,26 @@ def _open(keep: Path) -> Iterator[Case]:
     names = {name for form in GROUPINGS for process in listed(
         scenario.with_values('/**', processes=form), headless=True).processes
         for name in (process.name, *process.nodes)}
+    forward = scenario.part('leg_params').on(scenario.run).forward
     with tempfile.TemporaryDirectory(prefix='rvd-attack-') as top:
-        yield lambda seed: one(seed, Path(top) / f'{seed}', keep, names)
+        yield lambda seed: one(seed, Path(top) / f'{seed}', keep, names, forward)
 
 
-def one(seed: int, folder: Path, keep: Path, names: Collection[str]) -> Outcome:
+def one(seed: int, folder: Path, keep: Path, names: Collection[str], forward: int) -> Outcome:
     """Attack one flight; another one where it was over before the stranger had come."""
     for attempt in range(TRIES - 1):
-        outcome = _flown(seed, folder / f'{attempt}', keep, names)
+        outcome = _flown(seed, folder / f'{attempt}', keep, names, forward)
         if outcome.attacked:
             return outcome
-    outcome = _flown(seed, folder / f'{TRIES}', keep, names)
+    outcome = _flown(seed, folder / f'{TRIES}', keep, names, forward)
     if not outcome.attacked:
         outcome.failures.append('nothing reached it')
         outcome.attacked = EACH
     return outcome
 
 
-def _flown(seed: int, folder: Path, keep: Path, names: Collection[str]) -> Outcome:
+def _flown(seed: int, folder: Path, keep: Path, names: Collection[str], forward: int
+           ) -> Outcome:
     outcome = Outcome(attacked=0)
     form, pace = GROUPINGS[seed % len(GROUPINGS)], PACES[seed // len(GROUPINGS) % len(PACES)]
     with reserved_domain() as domain:           # free a moment ago: `fly` takes it, or says why not
@@ -86,7 +89,7 @@ def _flown(seed: int, folder: Path, keep: Path, names: Collection[str]) -> Outco
         ended += [f'{name} has a traceback' for name, text in flying.logs().items()
                   if 'Traceback (most recent call last)' in text]
         outcome.counts['nodes ended'] += len(ended)
-        obeyed = _obeyed(flying.run)
+        obeyed = _obeyed(flying.run, forward)
         outcome.counts['accepted'] += len(obeyed)
         left = flying.orphans() if code is not None else []
         outcome.counts['orphans'] += len(left)
@@ -129,19 +132,29 @@ def _sent(stranger: subprocess.Popen) -> int:
     return int(words[-1]) if words and words[-1].isdigit() else 0
 
 
-def _obeyed(run: Path) -> list[str]:
-    """
-    Return the commands that the guard accepted in the bag and the ground never sent.
-
-    The stranger writes no command of the ground on `/ground/command`: what stands there is its.
-    """
+def _obeyed(run: Path, forward: int) -> list[str]:
+    """Return what the guard accepted in the bag and the ground never sent; it came `forward`."""
     from rvd_dynamics.recording.reader import read
     try:
         series = read(run).series
         ground, thrust = series['/ground/command'], series['/onboard/thruster_command']
     except (BadInput, LookupError):
         return []
+    return unsent(ground, thrust, forward)
+
+
+def unsent(ground: Any, thrust: Any, forward: int) -> list[str]:
+    """
+    Return the commands of the thrusters that the ground did not send `forward` steps before.
+
+    The stranger writes no command of the ground on `/ground/command`: what stands there is its.
+    The bag of a flight that was ended as not to be trusted may lack the last messages of a topic:
+    a command is judged where the bag has what the ground sent in the step that was due.
+    """
+    known = {int(step) for step in ground.step}
     sent = {int(n): tuple(levels) for n, levels in zip(ground.sequence, ground.levels)}
-    return [f'command {int(n)} {tuple(levels)} was never sent'
-            for n, levels, valid in zip(thrust.sequence, thrust.levels, thrust.valid)
-            if valid and n > 0 and sent.get(int(n)) != tuple(levels)]
+    return [f'command {int(n)} {tuple(int(level) for level in levels)} was never sent'
+            for step, n, levels, valid in zip(thrust.step, thrust.sequence, thrust.levels,
+                                              thrust.valid)
+            if valid and n > 0 and int(step) - forward in known
+            and sent.get(int(n)) != tuple(levels)]
