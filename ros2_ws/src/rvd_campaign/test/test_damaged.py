@@ -91,6 +91,7 @@ def test_damaged_bags_are_shown_or_refused(base, tmp_path):
 
 def test_a_reader_that_does_anything_else_is_found(run, monkeypatch):
     """The negative twin."""
+    assert not damaged.faults(run)              # what it imports binds the real readers
     monkeypatch.setattr(replay, 'load', lambda runs, name: {}['frames'])
     monkeypatch.setattr('rvd_groundstation.operators.tape.read_tape',
                         lambda path: print('on its own', file=sys.stderr))
