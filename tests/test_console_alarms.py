@@ -64,7 +64,12 @@ def test_an_alarm_names_value_and_limit_and_nothing_jumps(page, placed):
     assert page.evaluate(BOXES) == quiet
     box = page.query_selector('#alarms').bounding_box()
     assert box['width'] > 0.98*1280
+    page.keyboard.press('g')                            # what lies over the line says it, too
+    until(page, "document.querySelector('#dialog-note')?.textContent === "
+                "'TOO FAST: predicted closing rate 0.360 m/s, limit 0.300'")
     placed.put(GOOD)
+    until(page, "document.querySelector('#dialog-note').hidden")
+    page.keyboard.press('Escape')
     says(page, 'no alarm')                              # it goes by itself, and nothing jumps
     assert page.evaluate(BOXES) == quiet
 
@@ -101,6 +106,14 @@ def test_telemetry_that_stops_and_a_stick_that_nobody_holds_are_alarms(page, pla
     placed.reason, placed.by = REASON_PILOT_INVALID, BY_NOBODY
     says(page, 'NOBODY HOLDS THE STICK')
     assert page.get_attribute('#alarms', 'class') == 'caution'
+
+
+def test_the_ladder_of_a_craft_that_acknowledges_nothing_says_so(page):
+    counts = "document.querySelector('#ladder-counts').textContent"
+    until(page, f"/ on the link · .*\\d/.test({counts})")
+    page.evaluate('rvd.store.run.acknowledged = false')
+    until(page, f"/^\\d+ on the link · this craft acknowledges none$/.test({counts})")
+    page.evaluate('rvd.store.run.acknowledged = true')
 
 
 def test_the_section_shows_a_craft_outside_of_it(page, placed):

@@ -32,6 +32,7 @@ def test_a_toy_display_goes_through_the_run_message():
     made = json.loads(encode(flown(1).run_message('cart')))
     shown = made['display']
     assert (made['step_s'], made['forward_s'], made['back_s']) == (0.1, 1.0, 0.5)
+    assert made['acknowledged']                 # the ladder tells of every command
     assert [body['name'] for body in shown['bodies']] == ['cart']
     assert shown['bodies'][0]['axes'] == 'x'
     assert shown['bodies'][0]['shape'][0]['size_m'] == [1.0, 0.6, 0.6]

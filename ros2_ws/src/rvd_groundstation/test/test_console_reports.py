@@ -34,7 +34,7 @@ def runs(tmp_path):
 def test_a_row_says_when_what_and_how_a_run_was_flown(runs):
     os.utime(runs / 'good' / 'verdict.json', (2e9, 2e9))
     rows = review.listing(runs)
-    assert rows[0] == {'name': 'good', 'ended': 2e9, 'report': True, **VERDICT}
+    assert rows[0] == {'name': 'good', 'ended': 2e9, 'report': True, 'modes': {}, **VERDICT}
     assert {row['name']: row['report'] for row in rows} == {
         'good': True, 'P01/03': True, 'bare': False}
 
@@ -46,6 +46,17 @@ def test_a_verdict_that_is_written_anew_is_read_anew(runs):
     verdict.write_text(json.dumps({**VERDICT, 'reason': 'missed', 'success': False}))
     os.utime(verdict, (2e9 + 1.0, 2e9 + 1.0))
     assert review.listing(runs)[0]['reason'] == 'missed'
+
+
+@pytest.mark.parametrize('flown, modes', [
+    ({'modes': {'manual': 0.125, 'auto': 0.875}}, {'manual': 0.125, 'auto': 0.875}),
+    ({'modes': {'manual': 'mostly', 'auto': 0.5}}, {'auto': 0.5}),
+    ({'modes': ['manual']}, {}), ([], {}), (None, {})])
+def test_a_row_says_what_a_run_was_really_flown_in(flown, modes, runs):
+    verdict = runs / 'good' / 'verdict.json'
+    verdict.write_text(json.dumps({**VERDICT, 'flown': flown}))
+    os.utime(verdict, (2e9, 2e9))
+    assert review.listing(runs)[0]['modes'] == modes
 
 
 def test_a_verdict_that_has_not_changed_is_read_once(runs, monkeypatch):

@@ -51,6 +51,12 @@ export class AlarmBar {
     this.sound.sing(alarms.loud, now);
   }
 
+  // What calls, for a dialog that lies over the line.
+  words() {
+    const [first] = this.alarms.loud ? this.alarms.shown : [];
+    return first ? [first.words, detail(first)].filter(Boolean).join(': ') : '';
+  }
+
   show() {
     const shown = [...this.alarms.standing.values()].length ? this.alarms.shown : [];
     const [first, ...others] = shown;

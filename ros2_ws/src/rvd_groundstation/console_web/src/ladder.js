@@ -82,11 +82,12 @@ function draw(pen, rung, x, axes, { top, lane, bottom, width, rem }) {
   if (MARK[rung.state] && bad) text(pen, MARK[rung.state], x, top + rem * 0.4, colour);
 }
 
-export function counts(rungs) {
+export function counts(rungs, acknowledged) {
   const made = {};
   for (const rung of rungs) made[rung.state] = (made[rung.state] || 0) + 1;
   const underWay = (made[SENT] || 0);
   const parts = [...(rungs.some(inForce) ? [S.aborted] : []), `${underWay} ${S.ladder_link}`];
+  if (!acknowledged) return [...parts, S.ladder_untold].join(' · '); // all others are unknown
   for (const state of [EXECUTED, SEEN, REFUSED, MISSED, UNKNOWN]) {
     if (made[state]) parts.push(`${made[state]} ${LADDER[state]}`);
   }

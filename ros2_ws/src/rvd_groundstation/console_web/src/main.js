@@ -295,7 +295,8 @@ function showFrame() {
   const { frame, run, history } = store;
   const silence = store.silence();
   showBanner(silence);
-  dialogs.note(heldUp() && store.status.lease === 'you' ? `${released()}. ${stickBack()}` : '');
+  const held = heldUp() && store.status.lease === 'you' ? `${released()}. ${stickBack()}` : '';
+  dialogs.note([alarms.words(), held].filter(Boolean).join(' · '));
   showStick();
   showNotes();
   $('end-run').hidden = !(store.abortAt !== null && store.status.phase === 'flying' && store.status.lease === 'you' && !store.verdict);

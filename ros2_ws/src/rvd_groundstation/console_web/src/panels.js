@@ -131,7 +131,7 @@ export class Panels {
     dial($('dial'), run, frame.round_trip, measured?.transit);
     linkCounts(frame, measured, run.step_s, now);
     ladder($('ladder'), run, this.display.commands.axes, rungs, now);
-    say($('ladder-counts'), counts(rungs));
+    say($('ladder-counts'), counts(rungs, run.acknowledged));
   }
 
   showReticle(frame) {

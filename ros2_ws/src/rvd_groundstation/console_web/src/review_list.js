@@ -7,6 +7,7 @@ import { S, fill } from './strings.js';
 
 const AGAIN_MS = 2000; // while it is open: other commands fly into the same folder
 const { escape } = dialogs;
+const BESIDE = ['abort', 'unknown']; // steps of no mode
 const two = (n) => String(n).padStart(2, '0');
 
 let rows = null; // of the last time: shown at once, until the new ones are there
@@ -78,11 +79,18 @@ function underWay({ status }) {
   return { name: status.run, words: status.phase === 'closing' ? S.runs_closing : S.runs_flying };
 }
 
+// What a run was flown in: each mode with its share where there was more than one.
+function modesOf({ mode, modes }, display) {
+  const flown = Object.entries(modes || {}).filter(([name]) => !BESIDE.includes(name));
+  if (flown.length < 2) return mode ? label(display, mode) : '';
+  return flown.map(([name, share]) => `${label(display, name)} ${number(100 * share, 0)} %`).join(' · ');
+}
+
 function line(row, i, display) {
   const words = (value) => `<td>${escape(value ?? '')}</td>`;
   const verdict = dialogs.sentence(String(row.reason ?? '').replaceAll('_', ' '));
   const report = row.report ? `title="${escape(fill(S.runs_report, { name: row.name }))}"` : `disabled title="${S.runs_no_report}"`;
-  return `<tr>${words(dateOf(row.ended))}${words(row.name)}${words(row.scenario)}${words(row.mode ? label(display, row.mode) : '')}
+  return `<tr>${words(dateOf(row.ended))}${words(row.name)}${words(row.scenario)}${words(modesOf(row, display))}
     ${words(row.operator)}${words(row.seed)}<td class="num">${number(row.duration_s, 1)} s</td>
     <td class="${row.success === true ? 'ok' : ''}">${row.success === true ? '✓' : '✗'} ${escape(verdict)}</td>
     <td class="acts"><button data-run="${escape(row.name)}" data-row="${i}" title="${escape(fill(S.runs_open, { name: row.name }))}">${S.review_open}</button>

@@ -14,6 +14,7 @@ export const S = {
   scene: 'Scene', views: 'Views', camera_side: 'Camera, delay and charts',
   ladder: 'Command ladder', ladder_alt: 'Commands on their way to the craft and back',
   ladder_ground: 'ground', ladder_link: 'on the link', ladder_craft: 'at the craft', ladder_back: 'telemetry on its way back', ladder_known: 'known',
+  ladder_untold: 'this craft acknowledges none',
   ladder_narrow: ['ground', 'link', 'craft', 'back', 'known'],
   round_trip: 'Round trip', dial_alt: 'Dial of the round trip',
   restart: 'New run', review: 'Review', settings: 'Stick', help: 'Help', stop: 'Stop run',

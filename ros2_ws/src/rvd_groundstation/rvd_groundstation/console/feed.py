@@ -178,6 +178,7 @@ class Feed:
             'type': 'run', 'name': name, 'step_s': f.step_s, 'timeout_s': f.timeout_s,
             'forward_s': f.forward_s, 'back_s': f.back_s, 'mode': f.mode,
             'operator': f.operator, 'seed': f.seed, 'pace': f.pace,
+            'acknowledged': f.acknowledged,
             'display': as_data(self.display)}
 
 

@@ -29,8 +29,8 @@ def listing(runs: Path | None) -> list[dict[str, Any]]:
     """
     Return a row per finished run below `runs`, newest first.
 
-    `ended` is when its verdict was written [s since 1970], `report` whether it has one; the rest
-    is what `verdict.json` says.
+    `ended` is when its verdict was written [s since 1970], `report` whether it has one, `modes`
+    the share of the steps that was flown in each; the rest is what `verdict.json` says.
     """
     files = []
     if runs is None:
@@ -57,7 +57,11 @@ def _said(file: Path, written_ns: int, size: int) -> dict[str, Any] | None:
         content = object_of(file, 'verdict', MAX_VERDICT_BYTES)
     except BadInput:
         return None
-    return {key: content.get(key) for key in SHOWN}
+    flown = content.get('flown')
+    modes = flown.get('modes') if isinstance(flown, dict) else None
+    shares = {str(mode): share for mode, share in modes.items() if isinstance(share, (int, float))
+              } if isinstance(modes, dict) else {}
+    return {**{key: content.get(key) for key in SHOWN}, 'modes': shares}
 
 
 async def load(runs: Path | None, name: str) -> bytes:
