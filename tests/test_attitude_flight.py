@@ -21,6 +21,7 @@ FLIGHTS = {                                     # scenario, changes, grouping
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 @pytest.mark.parametrize('case', FLIGHTS)
 def test_a_flight_is_the_loop_in_one_process_to_the_last_bit(case, tmp_path):
     name, changes, processes = FLIGHTS[case]

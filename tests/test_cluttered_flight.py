@@ -19,6 +19,7 @@ state_predictor:
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 @pytest.mark.parametrize('processes', ['blocks', 'one'])
 def test_the_graph_flies_as_in_process_to_the_last_bit(processes, tmp_path):
     flown = Flown(tmp_path / 'run', 'cluttered', '--processes', processes, '--pace', 'lockstep',

@@ -18,6 +18,7 @@ def files_of(folder: Path) -> dict[str, bytes]:
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 def test_the_shipped_bundle_is_what_the_sources_build(console_web, tmp_path):
     built = tmp_path / 'built'
     done = subprocess.run([npm(), 'run', 'build', '--', '--outDir', str(built)], cwd=console_web,

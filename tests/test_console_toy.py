@@ -80,6 +80,7 @@ def test_page_and_server_know_no_mission(file: Path):
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 def test_the_page_shows_the_toy(browser, console_web):
     toy = ToyConsole()
     try:

@@ -17,6 +17,7 @@ FLIGHTS = {                                     # grouping: camera, planner
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 @pytest.mark.parametrize('processes', FLIGHTS)
 def test_a_flight_is_the_loop_in_one_process_to_the_last_bit(processes, tmp_path):
     (tmp_path / 'short.yaml').write_text(SHORT % FLIGHTS[processes])

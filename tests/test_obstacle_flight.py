@@ -41,6 +41,7 @@ COMPARED = {'/truth/state': ('state', 'acceleration', 'obstacles'),
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 @pytest.mark.parametrize('processes', ['blocks', 'segments', 'one'])
 def test_every_grouping_flies_as_in_process_to_the_last_bit(processes, tmp_path):
     scenario = tmp_path / 'rough.yaml'

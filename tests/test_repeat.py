@@ -36,6 +36,7 @@ CASES = {
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 @pytest.mark.parametrize('args', CASES.values(), ids=CASES.keys())
 def test_other_runs_equal_the_loop_too(args, tmp_path):
     flown = Flown(tmp_path / 'run', *args, '--pace', 'lockstep', '--headless')
@@ -52,6 +53,7 @@ BARRIER = {     # the law sees the stick and must know what the blender will do
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 @pytest.mark.parametrize('case', BARRIER)
 def test_barrier_equals_the_loop_with_any_sharing(case, tmp_path):
     text = (ROOT / 'scenarios' / 'barrier.yaml').read_text()

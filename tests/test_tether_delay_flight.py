@@ -17,6 +17,7 @@ SHORT = {'step_s': 0.1, 'timeout_s': 62.0, 'approach__duration_s': [25.0, 25.0],
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 def test_a_flight_planned_anew_twice_is_the_loop_in_one_process_to_the_last_bit(tmp_path):
     chosen = load(ROOT / 'scenarios' / 'tether_delay.yaml').with_values('/**', **SHORT)
     chosen = chosen.with_values('flight_director', hold_range_m=34.0, look_s=1.0)

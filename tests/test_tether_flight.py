@@ -23,6 +23,7 @@ CHANGES = {                                     # shared, sections by name
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 @pytest.mark.parametrize('processes', CHANGES)
 def test_a_flight_is_the_loop_in_one_process_to_the_last_bit(processes, tmp_path):
     shared, sections = CHANGES[processes]

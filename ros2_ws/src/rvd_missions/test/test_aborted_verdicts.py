@@ -33,7 +33,7 @@ def test_every_mission_is_here():
 
 
 @pytest.mark.parametrize('name', [pytest.param(name, marks=(
-    pytest.mark.slow if name in LONG else ())) for name in MISSIONS])
+    (pytest.mark.slow, pytest.mark.patient) if name in LONG else ())) for name in MISSIONS])
 def test_an_abort_is_the_reason_in_every_mission(name):
     scenario = short(name)
     step = round(min(5.0, 0.25 * scenario.run.timeout_s) / scenario.run.step_s)

@@ -59,6 +59,7 @@ def test_upper_bound_agrees_with_a_ballistic_stop():
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 def test_upper_bound_is_above_every_history_of_levels():
     """All lateral histories of three phases of 1.5 s, held against the judge's margin."""
     state = np.array([-28.0, 1.35, 0.5, 0.25, 0.04, 0.05])
@@ -102,6 +103,7 @@ def test_link_that_is_down_leaves_what_drifts_in():
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 def test_no_law_docks_a_run_that_is_refuted_and_the_barrier_nearly_all_others():
     """More than twice the scatter in rate makes a hundred hopeless runs."""
     wide = scattered((0.0, 0.7, 0.7), (0.0, 0.025, 0.025)).with_values(

@@ -115,6 +115,7 @@ def test_a_row_of_a_batch_is_the_run_alone_to_the_bit():
 # -- flown -----------------------------------------------------------------------------------------
 
 @pytest.mark.slow
+@pytest.mark.patient
 @pytest.mark.parametrize('number', [2, 4])
 @pytest.mark.parametrize('operator', ['none', 'model'])
 def test_behind_the_delay_the_barrier_touches_nothing_from_feasible_starts(operator, number):
@@ -128,6 +129,7 @@ def test_behind_the_delay_the_barrier_touches_nothing_from_feasible_starts(opera
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 def test_without_the_barrier_most_pilots_touch_something():
     flown = fly(TWO.with_values('/**', mode='manual'), range(40))
     assert (flown.verdict.reason == 'contact').mean() > 0.4

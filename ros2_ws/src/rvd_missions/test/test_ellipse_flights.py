@@ -207,6 +207,7 @@ def from_afar(law='rrca', k2=0.0, step_s=2.0, thrusters='ideal', ff='off', q1=0.
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 @pytest.mark.parametrize('k2,low,high,dv,thrusters,step_s,off', [
     (0.0, 191.8, 208.8, 195.0, 'ideal', 2.0, 0.3), (-0.5, 197.0, 204.0, 209.0, 'ideal', 2.0, 0.3),
     (-0.5, 197.0, 204.0, 209.0, 'pulses', 1.0, 0.6)])
@@ -222,6 +223,7 @@ def test_rrca_from_50_km_is_that_of_the_specification(k2, low, high, dv, thruste
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 @pytest.mark.parametrize('k2,ff,q1,low,high,along,across', [
     (0.0, 'off', 0.0, -83.7, -79.8, 284.0, 375.0),
     (-0.5, 'on', 4.0, -90.0, -90.0, 111.0, 161.0)])
@@ -235,6 +237,7 @@ def test_odrrca_from_50_km_is_that_of_the_specification(k2, ff, q1, low, high, a
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 def test_k1_of_the_published_gains_does_not_damp_form_r1(monkeypatch):
     """What the refusal of k1 <= -k is for: without damping the direction swings on."""
     monkeypatch.setattr(laws, 'check_gains', lambda *gains: None)
@@ -247,6 +250,7 @@ def test_k1_of_the_published_gains_does_not_damp_form_r1(monkeypatch):
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 def test_combined_from_50_km_holds_50_m_and_settles_as_in_the_specification():
     flight = flown('ellipse_combined', **{'guidance.combined.fly_around.phi_d_deg': 180.0})
     assert flight.reason == 'held'

@@ -460,6 +460,7 @@ def test_success_of_pilot_a(expected, changes):
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 @pytest.mark.parametrize('expected, changes', [
     (0.770, {'mode': 'manual', 'sections': {**NO_LAW, 'operator_model': PILOT_C}}),
     (0.932, {'sections': {'operator_model': PILOT_C}}),
@@ -471,6 +472,7 @@ def test_success_of_the_other_pilots(expected, changes):
 
 
 @pytest.mark.slow
+@pytest.mark.patient
 def test_printed_variants_do_what_the_documentation_says():
     rates = {name: fly(approach(sections), range(3000)).verdict for name, sections in {
         'ascent': {LAW: {'corridor_apf__gradient': 'printed_ascent'}},

@@ -65,7 +65,7 @@ def measures(batch, row=0):
 
 @pytest.mark.parametrize('orbit, wanted', [
     pytest.param(GEO, OPEN_LOOP_M['geo'], id='geo'),
-    pytest.param(LEO, OPEN_LOOP_M['leo'], id='leo', marks=pytest.mark.slow)])
+    pytest.param(LEO, OPEN_LOOP_M['leo'], id='leo', marks=[pytest.mark.slow, pytest.mark.patient])])
 def test_it_is_the_clipping_of_the_spline_that_makes_the_open_loop_end_long(orbit, wanted):
     """All five ways to join the nodes, one row each, flown by the compiled plant alone."""
     made, h = plan(orbit), 0.02
