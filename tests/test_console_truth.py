@@ -174,7 +174,8 @@ def test_a_server_that_falls_silent_greys_all_within_a_second_and_its_age_counts
         for _ in range(2):
             ages.append(float(re.search(r'age ([\d.]+) s', words(page, '#clock-gen-age'))[1]))
             page.wait_for_timeout(700)
-        assert ages[0] > 2.0 and ages[1] > ages[0] + 0.3
+        # 1.5 s of silence, rounded, and the 0.5 s of the link
+        assert ages[0] >= 2.0 and ages[1] > ages[0] + 0.3
     until(page, 'rvd.store.connected')
     until(page, "!document.body.classList.contains('dead')")
     until(page, '!' + says('nothing heard'))
