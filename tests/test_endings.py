@@ -171,6 +171,28 @@ def test_what_processes_answer_to_the_end_of_the_bring_up_is_no_failure_of_their
         flight._supervisor.stop()
 
 
+@pytest.mark.parametrize('said, failures', [
+    ('exit law 2; exit guard 143; exit link 0', {'law': 2}),
+    ('exit guard 143; exit law 1; exit link 2', {'law': 1, 'link': 2}),
+    ('exit guard 143; exit law 0; exit link 0', {'guard': 143})])
+def test_who_is_told_to_end_in_his_start_has_not_failed_beside_one_that_has(
+        said, failures, monkeypatch, tmp_path):
+    """The bring-up ends all when one has failed; if all are well, somebody else did it."""
+    script = tmp_path / 'bringup.sh'
+    script.write_text('#!/bin/sh\n' + '\n'.join(
+        f'echo {word.strip()}' for word in ('start law 1;start guard 1;start link 1;' + said
+                                            ).split(';')))
+    script.chmod(0o755)
+    roster = SimpleNamespace(processes=(), diagram=SimpleNamespace(externals=()))
+    monkeypatch.setattr(supervisor, 'lines', lambda *arguments: [])
+    started = Supervisor(script, tmp_path / 's.yaml', tmp_path, True, 0, roster, 'run')
+    try:
+        wait_for(lambda: started.poll() or len(started.codes) == 3, 'all ends')
+        assert started.failures() == failures
+    finally:
+        started.stop()
+
+
 def test_what_only_a_node_can_refuse_is_told_in_one_line(tmp_path):
     (tmp_path / 's.yaml').write_text("""
 /**: {ros__parameters: {mission: docking, panels: {mass_kg: 3000.0}}}

@@ -17,6 +17,7 @@ from rvd_dynamics.pulse import Pulse
 
 BRINGUP = 'the bring-up'
 STOP_S = 15.0                   # [s] wall time the bring-up gets to end all; it asks for 13
+TOLD = 128 + signal.SIGTERM     # code of a process that had no answer yet to being told to end
 
 
 class Supervisor:
@@ -103,10 +104,15 @@ class Supervisor:
         return ''
 
     def failures(self) -> dict[str, int]:
-        """Return the nodes that ended with an error, with their codes."""
+        """
+        Return the nodes that ended with an error, with their codes.
+
+        When one has failed the bring-up ends the others, and in its start a process dies of that.
+        """
         self.poll()
-        return {name: code for name, code in self.codes.items()
-                if code != 0 and name not in self._ended_by_us}
+        found = {name: code for name, code in self.codes.items()
+                 if code != 0 and name not in self._ended_by_us}
+        return {name: code for name, code in found.items() if code != TOLD} or found
 
     def end_if_left(self, names: set[str]) -> None:
         """End these nodes, which know nothing of the run's end, once no other one is left."""
