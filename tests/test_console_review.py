@@ -29,7 +29,7 @@ def runs(tmp_path_factory):
     verdict = verdict_of(folder / 'runs' / 'flown')
     (stopped / 'verdict.json').write_text(json.dumps(
         {**verdict, 'success': False, 'reason': 'interrupted', 'mode': 'manual', 'seed': 77,
-         'flown': {**verdict['flown'], 'modes': {'manual': 0.12, 'auto': 0.85, 'abort': 0.03}}}))
+         'flown': {**verdict['flown'], 'modes': {'manual': 0.004, 'auto': 0.966, 'abort': 0.03}}}))
     return folder / 'runs'
 
 
@@ -105,7 +105,7 @@ def test_the_list_says_when_what_and_how_long_was_flown(browser, waiting, runs):
         ended, 'flown', 'reviewed', 'Shared', 'model', '3', f'{verdict["duration_s"]:.1f} s',
         '✓ Docked']
     other = page.locator('tr', has=page.locator('[data-run=stopped]')).inner_text().split('\t')
-    assert other[3].strip() == 'Manual 12 % · Auto 85 %'   # began manual, and was not
+    assert other[3].strip() == 'Manual < 1 % · Auto 97 %'  # began manual, and was not
     assert page.is_enabled('[data-report=flown]')
     assert page.is_disabled('[data-report=stopped]')            # there is none
     page.close()

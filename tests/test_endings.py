@@ -173,11 +173,12 @@ def test_what_processes_answer_to_the_end_of_the_bring_up_is_no_failure_of_their
 
 @pytest.mark.parametrize('said, failures', [
     ('exit law 2; exit guard 143; exit link 0', {'law': 2}),
-    ('exit guard 143; exit law 1; exit link 2', {'law': 1, 'link': 2}),
+    ('exit law 1; exit guard 143; exit link 2', {'law': 1, 'link': 2}),
+    ('exit guard 143; exit law 1; exit link 143', {'guard': 143, 'law': 1}),
     ('exit guard 143; exit law 0; exit link 0', {'guard': 143})])
 def test_who_is_told_to_end_in_his_start_has_not_failed_beside_one_that_has(
         said, failures, monkeypatch, tmp_path):
-    """The bring-up ends all when one has failed; if all are well, somebody else did it."""
+    """The bring-up ends all when one has failed; the first was ended by somebody else."""
     script = tmp_path / 'bringup.sh'
     script.write_text('#!/bin/sh\n' + '\n'.join(
         f'echo {word.strip()}' for word in ('start law 1;start guard 1;start link 1;' + said

@@ -50,7 +50,8 @@ def test_a_verdict_that_is_written_anew_is_read_anew(runs):
 
 @pytest.mark.parametrize('flown, modes', [
     ({'modes': {'manual': 0.125, 'auto': 0.875}}, {'manual': 0.125, 'auto': 0.875}),
-    ({'modes': {'manual': 'mostly', 'auto': 0.5}}, {'auto': 0.5}),
+    ({'modes': {'manual': 0.5, 'abort': 0.3, 'unknown': 0.2}, 'steps': 9}, {'manual': 0.5}),
+    ({'modes': {'manual': 'mostly', 'auto': 0.5}}, {}), ({'steps': 9}, {}),
     ({'modes': ['manual']}, {}), ([], {}), (None, {})])
 def test_a_row_says_what_a_run_was_really_flown_in(flown, modes, runs):
     verdict = runs / 'good' / 'verdict.json'

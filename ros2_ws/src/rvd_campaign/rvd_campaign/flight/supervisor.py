@@ -107,12 +107,12 @@ class Supervisor:
         """
         Return the nodes that ended with an error, with their codes.
 
-        When one has failed the bring-up ends the others, and in its start a process dies of that.
+        When the first has failed the bring-up ends the others, which in their start die of that.
         """
         self.poll()
         found = {name: code for name, code in self.codes.items()
                  if code != 0 and name not in self._ended_by_us}
-        return {name: code for name, code in found.items() if code != TOLD} or found
+        return {name: code for i, (name, code) in enumerate(found.items()) if not i or code != TOLD}
 
     def end_if_left(self, names: set[str]) -> None:
         """End these nodes, which know nothing of the run's end, once no other one is left."""

@@ -7,7 +7,6 @@ import { S, fill } from './strings.js';
 
 const AGAIN_MS = 2000; // while it is open: other commands fly into the same folder
 const { escape } = dialogs;
-const BESIDE = ['abort', 'unknown']; // steps of no mode
 const two = (n) => String(n).padStart(2, '0');
 
 let rows = null; // of the last time: shown at once, until the new ones are there
@@ -81,9 +80,10 @@ function underWay({ status }) {
 
 // What a run was flown in: each mode with its share where there was more than one.
 function modesOf({ mode, modes }, display) {
-  const flown = Object.entries(modes || {}).filter(([name]) => !BESIDE.includes(name));
+  const flown = Object.entries(modes || {});
   if (flown.length < 2) return mode ? label(display, mode) : '';
-  return flown.map(([name, share]) => `${label(display, name)} ${number(100 * share, 0)} %`).join(' · ');
+  const percent = (share) => share < 0.01 ? '< 1' : number(100 * share, 0); // no share is said to be 0
+  return flown.map(([name, share]) => `${label(display, name)} ${percent(share)} %`).join(' · ');
 }
 
 function line(row, i, display) {

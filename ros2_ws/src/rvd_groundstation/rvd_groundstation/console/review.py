@@ -15,7 +15,8 @@ from typing import Any
 
 from rvd_dynamics import lifeline
 from rvd_dynamics.bad_input import BadInput
-from rvd_dynamics.given import object_of
+from rvd_dynamics.given import has_shape, object_of
+from rvd_groundstation.console.counted import BESIDE
 from rvd_groundstation.console.reports import report_of
 
 READER = (sys.executable, '-m', 'rvd_campaign.report.replay')
@@ -23,6 +24,7 @@ MOST_RUNS = 200                 # rows of the list, newest first
 DEEPEST = 3                     # folders below the runs folder that are looked through
 MAX_VERDICT_BYTES = 1 << 20      # [B] of a verdict.json: a few kilobytes
 SHOWN = ('reason', 'success', 'mode', 'seed', 'operator', 'scenario', 'duration_s')
+FLOWN = {'modes': {'': (int, float)}}   # of what was really flown, what is shown
 
 
 def listing(runs: Path | None) -> list[dict[str, Any]]:
@@ -58,10 +60,9 @@ def _said(file: Path, written_ns: int, size: int) -> dict[str, Any] | None:
     except BadInput:
         return None
     flown = content.get('flown')
-    modes = flown.get('modes') if isinstance(flown, dict) else None
-    shares = {str(mode): share for mode, share in modes.items() if isinstance(share, (int, float))
-              } if isinstance(modes, dict) else {}
-    return {**{key: content.get(key) for key in SHOWN}, 'modes': shares}
+    modes = flown['modes'] if has_shape(flown, FLOWN) else {}
+    return {**{key: content.get(key) for key in SHOWN},
+            'modes': {mode: share for mode, share in modes.items() if mode not in BESIDE}}
 
 
 async def load(runs: Path | None, name: str) -> bytes:
