@@ -155,6 +155,27 @@ def test_a_run_is_recorded_whole_and_the_bag_closed(recorder):
     assert recorder.notes('rvd_lost') == {}
 
 
+def test_what_found_no_room_in_the_socket_is_waited_for(recorder):
+    """Fast DDS learns of it from the writer's next heartbeat, up to 3 s after the end."""
+    recorder.until(recorder.matched)
+    recorder.send('/run/scenario', String(data='step_s: 0.5'))
+    time.sleep(0.3)
+    recorder.process.send_signal(signal.SIGSTOP)
+    for k in range(101):
+        recorder.step(k, final=k == 100)
+        if k == 96:                             # some 40 steps have found room
+            recorder.process.send_signal(signal.SIGCONT)
+            time.sleep(0.1)
+    recorder.send('/run/end', UInt64(data=100))
+    ended = time.monotonic()
+    assert recorder.process.wait(timeout=20) == 0, recorder.process.stderr.read()
+    assert time.monotonic() - ended > 1.0, 'nothing was lost: the test shows nothing'
+    found = recorder.stored()
+    for topic in set(KINDS) - {'/run/events'}:
+        assert same(found[topic], recorder.sent[topic], KINDS[topic]), topic
+    assert set(recorder.notes('rvd_missing').values()) == {'0'}
+
+
 def test_kill_9_of_the_recorder_loses_nothing_it_had_received(recorder):
     """R2: every message that was acknowledged is in the file, and it can be repaired."""
     recorder.until(recorder.matched)

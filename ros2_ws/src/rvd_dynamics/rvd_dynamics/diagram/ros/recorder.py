@@ -48,7 +48,9 @@ MOST_BYTES = 1 << 20            # of a message at each firing: ours have a few k
 REPORT_EVERY = 16               # [steps]
 LOOK_PERIOD_S = 1.0             # [s] wall time between two looks for new topics
 DRAIN_PERIOD_S = 0.1            # [s] wall time between two looks whether all has come
-SILENCE_S = 2.0                 # [s] wall time without a message of a step: no more will come
+# [s] wall time without a message of a step: no more will come. A packet that the socket had no room
+# for is repaired at the writer's next heartbeat, which comes every 3 s.
+SILENCE_S = 4.0
 GRACE_S = 0.2                   # [s] wall time for events and the like after the last step
 NOTE_MISSING = 'rvd_missing'    # metadata record: topic -> steps that never came
 # What a nearly full disk is kept for, besides the story of the run in /run/*.
