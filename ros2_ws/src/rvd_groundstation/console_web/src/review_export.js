@@ -9,8 +9,9 @@ const FINE = 2; // pixels of a figure per pixel of the screen
 const [FILM_WIDTH, FILM_MS, FILM_BITS] = [1280, 66, 4e6]; // [px], [ms] between two pictures, [bit/s]
 const FILM_HEAD = 1000; // [byte] of a video without a picture
 // [ms] after the end in which the last picture is drawn; without anything more recorded, after which
-// all is; and at most. The encoder of a busy machine is seconds behind, and drops that when stopped.
-const [FILM_LAST_MS, FILM_QUIET_MS, FILM_END_MS] = [150, 1000, 20000];
+// all is, or PATIENCE times the longest time that a picture has taken; and at most. The encoder of a
+// busy machine is seconds behind, and drops that when it is stopped.
+const [FILM_LAST_MS, FILM_QUIET_MS, FILM_END_MS, PATIENCE] = [150, 1000, 20000, 3];
 const KINDS = ['video/webm;codecs=vp8', 'video/webm;codecs=vp9', 'video/webm'];
 const KEPT_MS = 60000; // a browser may take a while to save what an address stands for
 const [STRIP, TABLE, LINE] = [15, 25, 1.5]; // [rem] strip below the scene, table in it, line of that
@@ -214,14 +215,16 @@ export class Film {
     const canvas = document.createElement('canvas');
     const even = (n) => 2 * Math.round(n / 2); // as the encoders want it
     Object.assign(canvas, { width: FILM_WIDTH, height: even((FILM_WIDTH * shape.height) / shape.width) });
-    Object.assign(this, { parts: [], bytes: 0, heard: 0, ending: Infinity, done });
+    Object.assign(this, { parts: [], bytes: 0, heard: Infinity, slowest: 0, ending: Infinity, done });
     const stream = canvas.captureStream(1000 / FILM_MS);
     compose(canvas, shape, caption()); // once there is a stream: before, nobody sees it
     this.recorder = new MediaRecorder(stream, { mimeType: Film.kind, videoBitsPerSecond: FILM_BITS });
     this.recorder.ondataavailable = ({ data }) => {
       this.parts.push(data);
       this.bytes += data.size;
-      this.heard = performance.now();
+      const now = performance.now();
+      this.slowest = Math.max(this.slowest, now - this.heard);
+      this.heard = now;
     };
     this.recorder.onerror = (event) => { this.problem = event.error; };
     this.recorder.onstop = () => this.over();
@@ -237,7 +240,8 @@ export class Film {
   // Nothing is drawn any more: wait until the encoder has done what it has.
   drain(waited) {
     const quiet = performance.now() - Math.max(this.heard, this.ending);
-    if (this.recorder.state !== 'inactive' && (quiet > FILM_QUIET_MS || waited > FILM_END_MS)) this.recorder.stop();
+    const enough = quiet > Math.max(FILM_QUIET_MS, PATIENCE * this.slowest);
+    if (this.recorder.state !== 'inactive' && (enough || waited > FILM_END_MS)) this.recorder.stop();
   }
 
   // What has been recorded is kept, the last picture and at least one of them.
