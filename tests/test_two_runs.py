@@ -158,27 +158,18 @@ def test_a_run_that_comes_into_anothers_domain_ends_and_the_other_one_flies_on(
     assert steps == list(range(len(steps)))     # one writer, from first to last
 
 
-def heard_of_itself_alone(run):
-    """Say whether a bag has nothing of another run: each thing once, in order, by one run."""
-    steps = [[m.step for m in messages(run, topic)] for topic in (
-        '/truth/relative_state', '/onboard/measurement', '/onboard/downlink', '/ground/command',
-        '/ground/uplink', '/onboard/thruster_command')]
-    ready = [m.data.split() for m in messages(run, '/run/ready')]
-    return (len(messages(run, '/run/scenario')) == len(messages(run, '/run/end')) == 1
-            and len({whose for _, whose in ready}) == 1 and len(ready) == len(set(map(str, ready)))
-            and all(found == list(range(len(found))) and found for found in steps))
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize('processes', ['blocks', 'one'])
-def test_two_runs_that_start_at_once_do_not_disturb_each_other(tmp_path, domain, monkeypatch, processes):
-    (tmp_path / 'a').mkdir()
-    (tmp_path / 'b').mkdir()
-    flights = [start_rvd('fly', '--headless', '--pace', 'lockstep', '--processes', processes,
-                         '--out', 'run', cwd=tmp_path / 'a')]
+def test_two_runs_that_start_at_once_do_not_both_fly(tmp_path, domain, monkeypatch, processes):
+    """In steps so short that a flight outlasts the 3 s in which DDS makes itself heard again."""
+    for place in 'ab':
+        (tmp_path / place).mkdir()
+        (tmp_path / place / 'fine.yaml').write_text('/**: {ros__parameters: {step_s: 0.05}}')
+    fly = ('fly', 'fine.yaml', '--headless', '--pace', 'lockstep', '--processes', processes,
+           '--out', 'run')
+    flights = [start_rvd(*fly, cwd=tmp_path / 'a')]
     other_user(monkeypatch, tmp_path / 'locks', domain)
-    flights.append(start_rvd('fly', '--headless', '--pace', 'lockstep', '--processes', processes,
-                             '--out', 'run', cwd=tmp_path / 'b'))
+    flights.append(start_rvd(*fly, cwd=tmp_path / 'b'))
     try:
         codes = [flight.wait(90.0) for flight in flights]
     finally:
@@ -186,8 +177,7 @@ def test_two_runs_that_start_at_once_do_not_disturb_each_other(tmp_path, domain,
             end(flight)
     told = [(tmp_path / place / 'out').read_text() for place in 'ab']
     refused = [bool(re.search(OTHER, words)) for words in told]
-    if not any(refused):        # on a busy machine both are over before they hear of each other
-        assert [heard_of_itself_alone(tmp_path / place / 'run') for place in 'ab'] == [True, True]
+    assert any(refused), told
     # one that flies on where the other had written before it left says so
     for code, words, other in zip(codes, told, refused):
         assert code == 2 if other or 'not to be trusted: a second writer on' in words else \
