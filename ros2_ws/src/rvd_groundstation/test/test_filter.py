@@ -10,7 +10,8 @@ from scipy.linalg import expm
 
 from rvd_dynamics.motion.orbit import OrbitParams, StartParams
 from rvd_groundstation.prediction.filter import (
-    AdaptiveFilter, FilterParams, FILTERS, gain_sequence, ScheduledFilter)
+    AdaptiveFilter, FILTERS, gain_sequence, ScheduledFilter)
+from rvd_groundstation.prediction.filter_params import FilterParams
 
 PARAMS = FilterParams()
 NOMINAL = np.array([-30.0, 0.0, 0.0, 0.25, 0.0, 0.0])

@@ -9,16 +9,17 @@ import pytest
 from rvd_dynamics.commands.levels import LevelForm
 from rvd_dynamics.diagram.run import Legs, Run
 from rvd_dynamics.motion.orbit import OrbitParams, StartParams
-from rvd_groundstation.prediction.filter import FilterParams, Gate
+from rvd_groundstation.prediction.gate import Gate
 from rvd_groundstation.prediction.predictor import FAR, Predictor, PredictorParams
 
 START, NOTHING = StartParams(), np.zeros(3, dtype=np.int8)
+KINDS = ['learned', 'scheduled', 'adaptive']
 NUMBERS = st.floats(width=64) | st.sampled_from([1e308, -1e308, np.inf, np.nan, -0.0, 1e15, 1e9])
 
 
 def predictor(name='scheduled', batch=()):
     run = Run(timeout_s=60.0)
-    return Predictor(PredictorParams(name, FilterParams()), run, Legs(2, 2, run.step_s),
+    return Predictor(PredictorParams(filter=name), run, Legs(2, 2, run.step_s),
                      OrbitParams(), START, LevelForm(), batch)
 
 
@@ -36,7 +37,7 @@ def fly(made, samples):
 
 @settings(max_examples=60)
 @given(st.lists(st.lists(NUMBERS, min_size=6, max_size=6), min_size=1, max_size=12),
-       st.sampled_from(['scheduled', 'adaptive']))
+       st.sampled_from(KINDS))
 def test_what_is_valid_is_finite_whatever_comes_down(hostile, name):
     samples = [nominal(k) for k in range(6)] + [np.array(row) for row in hostile] + [nominal(40)]*15
     with np.errstate(all='ignore'):
@@ -48,7 +49,7 @@ def test_what_is_valid_is_finite_whatever_comes_down(hostile, name):
     assert got.valid                            # and it comes back
 
 
-@pytest.mark.parametrize('name', ['scheduled', 'adaptive'])
+@pytest.mark.parametrize('name', KINDS)
 @pytest.mark.parametrize('bad', [1e308, -1e308, 1e9, 50.0])
 def test_an_outlier_is_as_good_as_a_lost_sample(name, bad):
     with_it = [nominal(k) for k in range(12)]
@@ -75,7 +76,7 @@ def test_without_the_gate_one_of_them_is_enough(monkeypatch):
     assert not last.valid or abs(last.predicted[0]) > 1e3
 
 
-@pytest.mark.parametrize('name', ['scheduled', 'adaptive'])
+@pytest.mark.parametrize('name', KINDS)
 def test_a_filter_that_is_wrong_is_not_locked_out(name):
     """The chaser is somewhere else for good: after ten samples the filter believes it."""
     there = np.array([100.0, -40.0, 0.0, 0.0, 0.0, 0.0])

@@ -22,6 +22,7 @@ CASES = {
         'link_forward: {ros__parameters: {model: uniform, uniform: {low_fraction: 0.2}}}',
     'lossy uplink': 'link_forward: {ros__parameters: {loss_fraction: 0.3}}',
     'adaptive filter': 'state_predictor: {ros__parameters: {filter: adaptive}}',
+    'as sent': 'state_predictor: {ros__parameters: {in_flight: as_sent, filter: scheduled}}',
     'no delay': '/**: {ros__parameters: {forward_delay_s: 0.0, back_delay_s: 0.0}}',
 }
 
@@ -48,17 +49,14 @@ def test_errors_are_what_is_claimed(name, step):
     Along x, where the burn acts: mean square over the runs against the claimed variance.
 
     The runs share what is not known, the step in which the ABORT comes into force, so what they
-    have
-    in common varies more than 100 errors do by themselves: a factor of 2.5 in the square. A lossy
-    uplink loses commands before the ABORT, too, which the covariance leaves out.
+    have in common varies more than 100 errors do by themselves: a factor of 2.5 in the square.
     """
     _, found = flown(CASES[name], step)
-    lossy = name == 'lossy uplink'
     for (signal, k), (error, covariance) in found.items():
         if len(error) < RUNS // 2:
             continue
         square = (error[:, 0]**2).mean() / covariance[:, 0, 0].mean()
-        assert square < (4.0 if lossy else 2.5), (signal, k - step, square)
+        assert square < 2.5, (signal, k - step, square)
         assert abs(error[:, 0]).max() < 5.0 * np.sqrt(covariance[:, 0, 0].max()), (signal, k - step)
 
 

@@ -93,13 +93,19 @@ def test_places_are_drawn_for_each_run_and_do_not_depend_on_what_else_flies():
 
 
 def test_plant_judge_and_law_have_one_map():
-    """The least clearance of a recorded flight, worked out from its track and the map."""
+    """
+    The least clearance of a recorded flight, worked out from its track and the map.
+
+    The judge looks between the samples, too: there it can be less by the sag of half a step.
+    """
     flown = fly(TWO, [4, 11], record=[TRUTH])
     places = TWO.part('obstacles').places(TWO.run.seed, [4, 11], (2,))
     for row in range(2):
         track = flown.history[TRUTH].state[:flown.end_step[row] + 1, row, :3]
         gap = np.linalg.norm(track[:, None] - places[row], axis=-1) - TWO.part('obstacles').radii
-        assert flown.verdict.values['clearance_m'][row] == pytest.approx(gap.min(), abs=2e-3)
+        half = 0.5*np.linalg.norm(np.diff(track, axis=0), axis=-1).max()
+        sag = half*half / (2.0*(TWO.part('obstacles').radii.min() + gap.min()))
+        assert gap.min() - sag <= flown.verdict.values['clearance_m'][row] <= gap.min()
 
 
 def test_a_row_of_a_batch_is_the_run_alone_to_the_bit():
@@ -188,7 +194,8 @@ def test_console_and_markers_draw_the_spheres_of_the_run():
      'obstacles.number must be at most the 4 that obstacles.radius_m lists, got 5'),
     ('/**', {'obstacles__scatter_m': [0.1, -0.1, 0.1]}, 'scatter_m[1] must not be negative'),
     ('/**', {'thrust__lateral_m_s2': [1e-4, 4e-4, 0.02]}, 'brake_level must give more than'),
-    ('state_predictor', {'filter': 'scheduled'}, 'state_predictor: filter must be adaptive among'),
+    ('state_predictor', {'filter': 'scheduled'},
+     'state_predictor: filter must be learned or adaptive'),
 ])
 def test_what_cannot_be_flown_is_refused_in_one_line(section, values, words):
     with pytest.raises(BadInput, match=re.escape(words)) as refused:

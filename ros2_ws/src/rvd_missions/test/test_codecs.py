@@ -14,20 +14,25 @@ import numpy as np
 import pytest
 from rclpy.serialization import deserialize_message, serialize_message
 
+from rvd_campaign.catalogue import root
 from rvd_dynamics.commands.codes import KIND_ABORT, KIND_THRUST
 from rvd_dynamics.commands.levels import StickParams
 from rvd_dynamics.diagram.block import Leg
 from rvd_dynamics.diagram.build import made
 from rvd_dynamics.diagram.ros.codecs import Parts
 from rvd_dynamics.diagram.ros.conversions import ns_of
+from rvd_dynamics.diagram.ros.frame_codecs import FrameOfLink, Telemetry
 from rvd_dynamics.diagram.ros.host import message_type
-from rvd_dynamics.diagram.scenario import parse
+from rvd_dynamics.diagram.scenario import load, parse
 from rvd_dynamics.diagram.signal import Part, Signal
+from rvd_dynamics.link.frame import pack_downlink
+from rvd_dynamics.link.signals import FRAME_CODECS
 from rvd_missions.lunar_approach.signals import DOWNLINK, FAR, STICK, UPLINK
 
 STEPS = st.integers(0, 86_400_000)              # a day of milliseconds
 STATES = hnp.arrays('f8', (6,), elements=st.floats(width=64))
 LEVELS = hnp.arrays('i1', (3,), elements=st.integers(-3, 3))
+SCENARIOS = sorted(file.stem for file in (root() / 'scenarios').glob('*.yaml'))
 ONE_LEG = ('/ground/telemetry', '/onboard/command')     # their readers see a frame
 
 
@@ -164,7 +169,8 @@ def test_what_a_tape_holds_goes_out_as_it_is(axes, buttons):
 
 # -- the link ----------------------------------------------------------------------------------
 
-@given(STEPS, STATES, st.integers(0, 2**63 - 1), st.integers(0, 255))
+@given(STEPS, STATES, st.one_of(st.integers(0, 3), st.integers(0, 2**63 - 1)),
+       st.integers(0, 255))
 def test_a_downlink_arrives_as_it_was_sent_by_hand_or_not(k, state, accepted, refusal):
     sent = DOWNLINK(state=state, accepted=accepted, refusal=refusal)
     frame, events = codec(DOWNLINK).encode(k, sent), []
@@ -172,13 +178,28 @@ def test_a_downlink_arrives_as_it_was_sent_by_hand_or_not(k, state, accepted, re
     got = [codec(telemetry, events).decode(k, f)
            for f in (frame, over_the_wire(frame, message_type(DOWNLINK.message)))]
     assert_same(*got, ('state', 'received'))
-    if ((np.abs(state) <= FAR) | np.isnan(state)).all():
+    sent_by_now = k + 1                         # commands: one a step
+    if ((np.abs(state) <= FAR) | np.isnan(state)).all() and accepted <= sent_by_now:
         np.testing.assert_array_equal(got[0].state, state)
+        assert got[0].accepted == accepted
         assert got[0].received == np.isfinite(state).all() and events == []
     else:                                       # intact, and none that the signal can have
         assert np.isnan(got[0].state).all() and not got[0].received
         assert [code for code, _ in events] == ['REFUSED']*2
         assert 'RANGE' in events[0][1]
+
+
+@pytest.mark.parametrize('name', SCENARIOS)
+def test_frames_of_numbers_come_through_in_every_scenario(name):
+    flown = load(root() / 'scenarios' / f'{name}.yaml')
+    for signal in flown.diagram.signals.values():
+        if signal.codec != f'{FRAME_CODECS}:Telemetry':
+            continue
+        values, events = np.linspace(0.1, 0.2, signal.parts[0].shape[0]), []
+        frame = FrameOfLink(8, 8, payload=pack_downlink(8, 0, values, 3, 0))
+        got = Telemetry(signal, flown.run, lambda *event: events.append(event)).decode(8, frame)
+        assert events == [] and got.received
+        np.testing.assert_array_equal(getattr(got, signal.parts[0].name), values)
 
 
 @given(STEPS, LEVELS, st.sampled_from([KIND_THRUST, KIND_ABORT]))

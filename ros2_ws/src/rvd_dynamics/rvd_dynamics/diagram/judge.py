@@ -42,6 +42,7 @@ class Measure:
     low: float = NAN            # [unit] a good value is above this
     high: float = NAN           # [unit] a good value is below this
     digits: int = 3             # decimals worth showing
+    of_all: bool = False        # its mean is over all runs, and not only over those that succeeded
 
     def __post_init__(self) -> None:
         if not self.name.isidentifier() or not self.name.endswith(_suffix(self.unit)):
@@ -251,7 +252,8 @@ def table_columns(verdict: Verdict) -> dict[str, NDArray]:
 
 def declared(measures: Iterable[Measure]) -> dict[str, dict[str, Any]]:
     """Return what a file says about measures without their limits, which settings may change."""
-    return {m.name: {'words': m.words, 'unit': m.unit, 'digits': m.digits} for m in measures}
+    return {m.name: {'words': m.words, 'unit': m.unit, 'digits': m.digits,
+                     **({'of_all': True} if m.of_all else {})} for m in measures}
 
 
 def bare_name(name: str, unit: str) -> str:

@@ -68,6 +68,8 @@ class Mission:
         'module:NAME' of the names of all columns of a campaign's table in their order, for a
         mission that orders them ('NAME?': where there is one); empty: the verdict, the measures,
         then what the block `columns` makes.
+    column_measures : str
+        'module:NAME' of the measures that are among those columns and not the judge's; empty: none.
     figures, campaign_figures, display, usual_steps : str
         'module:NAME' of the figures of a recording and those of a campaign, the console's
         display, and the number of steps that few runs outlast; empty: none.
@@ -88,6 +90,7 @@ class Mission:
     parts: Mapping[str, str] = field(default_factory=dict)
     checked: tuple[str, ...] = ()
     columns: str = ''
+    column_measures: str = ''
     figures: str = ''
     display: str = ''
     campaign_figures: str = ''

@@ -56,16 +56,16 @@ class LinkChance:
                               steps, self.step_ns, self.hold_steps)
 
 
-def leg(scenario: Scenario, name: str, content: Signal, arrival: Signal, hold_steps: int
-        ) -> Declaration:
+def leg(scenario: Scenario, name: str, content: Signal, arrival: Signal, hold_steps: int,
+        *optional: str) -> Declaration:
     """
-    Return a leg of a scenario's link, for its diagram.
+    Return a leg of a scenario's link, for its diagram; `optional` parts of what it carries.
 
     `name` is that of its node, its section and its random stream: link_back or link_forward.
     """
     chance = LinkChance(name, scenario.settings(name), hold_steps, scenario.run.step_ns)
     return Declaration(
-        name, 'rvd_dynamics.link.leg:Leg', LINK, reads={'content': now(content)},
+        name, 'rvd_dynamics.link.leg:Leg', LINK, reads={'content': now(content, *optional)},
         writes={'arrival': arrival}, settings=scenario.mission.sections[name],
         draws={'chance': chance}, executable='link_emulator', status=status(name))
 

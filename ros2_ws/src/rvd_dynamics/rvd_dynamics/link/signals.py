@@ -14,6 +14,8 @@ CODECS = 'rvd_dynamics.diagram.ros.codecs'
 FRAME_CODECS = 'rvd_dynamics.diagram.ros.frame_codecs'
 FRAME = 'rvd_interfaces/msg/LinkFrame'
 
+# number of the frame whose command the guard accepted last, when the sample was taken
+ACCEPTED = Part('accepted', (), 'sequence', 'i8', optional=True, low=0, counts=True)
 KIND = Part('kind', (), 'KIND_*', 'u1', KIND_THRUST)
 RECEIVED = Part('received', (), '', '?')
 # number of the frame in which a command came: the ground sends one a step, the first is 1
@@ -22,15 +24,15 @@ SEQUENCE = Part('sequence', (), '', 'i8', optional=True, low=0, counts=True)
 
 def downlink(state: Part) -> Signal:
     """Return what the craft sends down: a state, and what became of the commands."""
-    return Signal('/onboard/downlink', (
-        state, Part('accepted', (), 'sequence', 'i8', optional=True, low=0,
-                    counts=True),
-        Part('refusal', (), 'REASON_*', 'u1', optional=True)), FRAME, f'{FRAME_CODECS}:Downlink')
+    refusal = Part('refusal', (), 'REASON_*', 'u1', optional=True)
+    return Signal('/onboard/downlink', (state, ACCEPTED, refusal), FRAME,
+                  f'{FRAME_CODECS}:Downlink')
 
 
 def telemetry(state: Part) -> Signal:
-    """Return what comes down: a state, and whether a frame was received."""
-    return Signal('/ground/telemetry', (state, RECEIVED), FRAME, f'{FRAME_CODECS}:Telemetry')
+    """Return what comes down: a state, whether a frame was received, and what it acknowledges."""
+    return Signal('/ground/telemetry', (state, RECEIVED, ACCEPTED), FRAME,
+                  f'{FRAME_CODECS}:Telemetry')
 
 
 def uplink(command: Part) -> Signal:

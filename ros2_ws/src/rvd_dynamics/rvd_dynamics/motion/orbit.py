@@ -1,5 +1,5 @@
 """
-The target's orbit, and the nominal start from which an approach is planned.
+The target's orbit, and the start of an approach: as it is planned, and its scatter.
 
 Source  Zhang, Li, Tang, J. Astronautics 35(3), 2014, Tables 1 and 2.
 """
@@ -45,3 +45,20 @@ class StartParams:
     def state(self) -> NDArray[np.float64]:
         """Position and velocity, shape (6,) [m, m/s]."""
         return np.array(self.position_m + self.velocity_m_s)
+
+
+@settings
+class ScatterParams:
+    """Standard deviations of the start about its nominal state; zero means no scatter."""
+
+    sigma_position_m: tuple = param(
+        (0.0, 0.5, 0.5), 'Standard deviations of the start position along x, y and z [m].',
+        low=0.0, length=3)
+    sigma_velocity_m_s: tuple = param(
+        (0.0, 0.01, 0.01), 'Standard deviations of the start velocity along x, y and z [m/s].',
+        low=0.0, length=3)
+
+    @property
+    def sigma(self) -> NDArray[np.float64]:
+        """Both (6,) [m, m/s]."""
+        return np.array(self.sigma_position_m + self.sigma_velocity_m_s)

@@ -7,22 +7,10 @@ Source  Zhang, Li, Tang 2014, section 3.1: scatter of the start, 1 % noise on th
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rvd_dynamics.motion.orbit import StartParams
+from rvd_dynamics.motion.orbit import ScatterParams, StartParams
 from rvd_dynamics.world.plants.relative import TRUTH_MODELS
 from rvd_dynamics.diagram.params import choice, param, settings
 from rvd_dynamics.world.sensors import SENSORS
-
-
-@settings
-class ScatterParams:
-    """Standard deviations of the start about its nominal state; zero means no scatter."""
-
-    sigma_position_m: tuple = param(
-        (0.0, 0.5, 0.5), 'Standard deviations of the start position along x, y and z [m].',
-        low=0.0, length=3)
-    sigma_velocity_m_s: tuple = param(
-        (0.0, 0.01, 0.01), 'Standard deviations of the start velocity along x, y and z [m/s].',
-        low=0.0, length=3)
 
 
 @settings
@@ -38,8 +26,7 @@ class DynamicsParams:
 
     def start(self, start: StartParams, normals: ArrayLike) -> NDArray[np.float64]:
         """Return states (..., 6) about the nominal start for standard normal draws (..., 6)."""
-        sigma = np.array(self.scatter.sigma_position_m + self.scatter.sigma_velocity_m_s)
-        return start.state + sigma * np.asarray(normals, dtype=float)
+        return start.state + self.scatter.sigma * np.asarray(normals, dtype=float)
 
 
 SensorParams = choice('SensorParams', 'sensor', SENSORS, 'multiplicative',

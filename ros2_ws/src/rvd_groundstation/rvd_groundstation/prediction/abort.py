@@ -55,10 +55,8 @@ class AbortProfile:
         return -(-round(self.burn_s * NS_PER_S) // self.run.step_ns)
 
     @cached_property
-    def waiting(self) -> Array:
-        """
-        Probability that no ABORT is in force 0, 1, 2, ... steps after the first was sent, (j,).
-        """
+    def in_time(self) -> Array:
+        """Probability that what is sent once comes through within 0, 1, 2, ... steps, (j,)."""
         link, rng = self.link, streams.generator(0, 0, 'ground/abort/transit')
         hold_s = self.legs.forward * self.run.step_s
         transit = link.delay_model.delays(rng, (TRANSITS,), hold_s)
@@ -66,8 +64,19 @@ class AbortProfile:
         step_ns = self.run.step_ns
         steps = np.ceil(np.rint(transit * NS_PER_S) / step_ns)      # NaN: never, in no bin below
         intact = (1.0 - link.loss_fraction) * (1.0 - link.corrupt_fraction)
-        in_time = np.array([np.mean(steps <= j) for j in range(LONGEST)])
-        waiting = np.cumprod(1.0 - intact * in_time)
+        return intact * np.array([np.mean(steps <= j) for j in range(LONGEST)])
+
+    @property
+    def reaching(self) -> float:
+        """Probability that a command acts: that it is there when it is due."""
+        return float(self.in_time[min(self.legs.forward, LONGEST - 1)])
+
+    @cached_property
+    def waiting(self) -> Array:
+        """
+        Probability that no ABORT is in force 0, 1, 2, ... steps after the first was sent, (j,).
+        """
+        waiting = np.cumprod(1.0 - self.in_time)
         return waiting[:1 + int(np.argmax(waiting < SURE)) if waiting[-1] < SURE else LONGEST]
 
     def still_waiting(self, after: int) -> float:

@@ -8,96 +8,24 @@ Source  the paper (Zhang, Li, Tang 2014, section 2.2) asks for a filter and name
         process noise Q = Gamma (3e-4 m/s^2)^2 Gamma' + floor. The floors keep R regular where
         a component is zero; they belong to the filter, and the sensor has none.
 
-Gate    a sample is an outlier, and left out as if it had been lost, where the sum of its
-        innovations squared, each over its own variance, is above `gate_nis`. The variance is that
-        of the prior, which grows with the samples that were lost, of the noise where the chaser
-        nominally is and where the prior has it, and of what the filter leaves out: commands that
-        were lost. The sum is chi-square of 6 where that is right and correlations are left aside;
-        141 was the largest in 100 runs of each condition of five campaigns, with five times the
-        noise assumed. From an ABORT on, whose instant is not known, the bound is STANDING times as
-        wide. After `gate_patience` outliers in a row it is the filter that is wrong: it begins anew
-        at the next sample, with the covariance of the start.
-
 `FILTERS` lists two. `scheduled` runs filterpy's filter once on the straight nominal approach
 and keeps its gains, one 6 x 6 sequence for every run and row. `adaptive` keeps one filterpy
 filter per row, with R from its own estimate.
 """
 
 from functools import lru_cache
-from typing import NamedTuple, Protocol
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rvd_dynamics.motion import cw
 from rvd_dynamics.motion.orbit import OrbitParams, StartParams
-from rvd_dynamics.diagram.params import param, settings
 from rvd_dynamics.diagram.run import Run
+from rvd_groundstation.prediction.filter_params import FilterParams
+from rvd_groundstation.prediction.gate import Gate
 
 Array = NDArray[np.float64]
-STANDING = 100.0                        # factor of `gate_nis` once the approach is broken off
-FLOOR_STEP_S = 0.5                      # [s] step to which `process_variance_floor` refers
-
-
-@settings
-class FilterParams:
-    """Process and measurement noise assumed by the filter."""
-
-    process_noise_m_s2: float = param(
-        3e-4, 'Standard deviation of the unknown acceleration, which is constant within a step '
-        '[m/s^2].', low=0.0)
-    process_variance_floor: float = param(
-        1e-10, 'Variance added to each position and velocity component per 0.5 s '
-        '[m^2, m^2/s^2].', low=0.0)
-    measurement_fraction: float = param(
-        0.01, 'Standard deviation of the measurement noise of a component, as a fraction of its '
-        'value.', above=0.0)
-    position_floor_m: tuple = param(
-        (0.25, 0.3, 0.3), 'Distance along x, y and z below which the measurement noise no longer '
-        'shrinks with it [m].', low=0.0, length=3)
-    velocity_floor_m_s: tuple = param(
-        (0.25, 0.02, 0.02), 'Speed along x, y and z below which the measurement noise no longer '
-        'shrinks with it [m/s].', low=0.0, length=3)
-    position_sigma_m: float = param(
-        1e-4, 'Standard deviation of the part of the position noise that does not depend on the '
-        'position [m].', above=0.0)
-    velocity_sigma_m_s: float = param(
-        1e-5, 'Standard deviation of the part of the velocity noise that does not depend on the '
-        'velocity [m/s].', above=0.0)
-    start_position_sigma_m: tuple = param(
-        (0.3, 0.5, 0.5), 'Standard deviations of the start position along x, y and z [m].',
-        low=0.0, length=3)
-    start_velocity_sigma_m_s: tuple = param(
-        (0.01, 0.02, 0.02), 'Standard deviations of the start velocity along x, y and z [m/s].',
-        low=0.0, length=3)
-    gate_nis: float = param(
-        1e3, 'Normalised innovation squared above which a sample is an outlier and left out.',
-        above=0.0)
-    gate_position_m: float = param(
-        0.25, 'Standard deviation of what the gate allows for besides, such as commands that were '
-        'lost: position [m].', low=0.0)
-    gate_velocity_m_s: float = param(
-        0.1, 'The same: velocity [m/s].', low=0.0)
-    gate_patience: int = param(
-        10, 'Outliers in a row after which the filter begins anew at the next sample.', low=1)
-
-    def measurement_variance(self, state: Array) -> Array:
-        """Return the diagonal of R (..., 6) at `state` (..., 6)."""
-        floor = np.array(self.position_floor_m + self.velocity_floor_m_s)
-        sigma = np.repeat([self.position_sigma_m, self.velocity_sigma_m_s], 3)
-        share = self.measurement_fraction * np.maximum(np.abs(state), floor)
-        return share*share + sigma*sigma
-
-    def start_covariance(self) -> Array:
-        """Return P0 (6, 6)."""
-        sigma = np.array(self.start_position_sigma_m + self.start_velocity_sigma_m_s)
-        return np.diag(sigma*sigma)
-
-    def process_covariance(self, gamma: Array, step_s: float) -> Array:
-        """Return Q (6, 6) of one step with the input matrix `gamma` (6, 3)."""
-        floor = self.process_variance_floor * step_s / FLOOR_STEP_S
-        variance = self.process_noise_m_s2 * self.process_noise_m_s2
-        return variance * (gamma @ gamma.T) + floor * np.eye(6)
 
 
 class Schedule(NamedTuple):
@@ -179,81 +107,21 @@ class TelemetryFilter(Protocol):
     covariance: Array | None            # (..., 6, 6) of it, or None when not tracked
     gate: 'Gate'                        # which rows took the last sample
 
-    def advance(self, m: int, accel: Array, measured: Array, received: NDArray) -> Array:
+    def advance(self, m: int, accel: Array, measured: Array, received: NDArray,
+                spread: Array | None = None) -> Array:
         """Advance the estimate to sample m; see `ScheduledFilter.advance`."""
 
     def gain(self, m: int) -> Array:
         """Return the gain (..., 6, 6) that sample m had, the last one."""
 
-    def shift(self, difference: Array) -> None:
-        """Move the estimate by a difference (..., 6)."""
+    def state(self) -> Any:
+        """Return what `restore` needs to be as now."""
+
+    def restore(self, state: Any) -> None:
+        """Be as then."""
 
     def stand_still(self, m: int) -> None:
         """Be told that the approach is broken off at sample m."""
-
-
-class Gate:
-    """
-    Which rows take a sample: not those where it is an outlier; see the head of the module.
-
-    Attributes
-    ----------
-    taken : ndarray of bool, shape (...)
-        Rows that have taken the last sample.
-    anew : ndarray of bool, shape (...)
-        Those of them that begin anew at it.
-    outliers : ndarray of int, shape (...)
-        Samples left out so far.
-    """
-
-    def __init__(self, params: FilterParams, batch: tuple) -> None:
-        self._params, self._bound = params, params.gate_nis
-        besides = np.repeat([params.gate_position_m, params.gate_velocity_m_s], 3)
-        self._besides = besides*besides
-        self.taken = self.anew = np.zeros(batch, dtype=bool)
-        self.outliers = np.zeros(batch, dtype=np.int64)
-        self._in_a_row = np.zeros(batch, dtype=np.int64)
-        self._lost = np.zeros(batch, dtype=np.int64)        # samples since the last one taken
-
-    def widen(self) -> None:
-        """Allow for an ABORT that comes into force nobody knows when."""
-        self._bound = STANDING * self._params.gate_nis
-
-    def judge(self, innovation: Array, prior: Array, variance: Array, noise: Array,
-              received: NDArray) -> tuple[NDArray, NDArray]:
-        """
-        Return the rows that take a sample, and those of them that begin anew at it.
-
-        Parameters
-        ----------
-        innovation, prior : ndarray, shape (..., 6)
-            Sample minus prior, 0 where none was received; and the prior itself.
-        variance : ndarray, shape (..., 6)
-            Of the prior, no sample lost.
-        noise : ndarray, shape (..., 6)
-            That the filter assumes; the place of the prior may be another one.
-        received : ndarray of bool, shape (...)
-        """
-        grown = (1 + self._lost)[..., None]
-        spread = (variance*grown*grown + (noise + self._besides)
-                  + self._params.measurement_variance(prior))
-        share = innovation*innovation/spread
-        nis = (share[..., 0] + share[..., 1] + share[..., 2] + share[..., 3] + share[..., 4]
-               + share[..., 5])
-        good = nis <= self._bound               # not where it is infinite or NaN
-        if good.all():                          # as nearly always
-            self.taken, self.anew = received, np.zeros_like(received)
-            self._in_a_row = np.where(received, 0, self._in_a_row)
-        else:
-            out = received & ~good
-            self._in_a_row = np.where(received, np.where(out, self._in_a_row + 1, 0),
-                                      self._in_a_row)
-            self.anew = out & (self._in_a_row > self._params.gate_patience)
-            self._in_a_row = np.where(self.anew, 0, self._in_a_row)
-            self.taken = received & (good | self.anew)
-            self.outliers = self.outliers + (out & ~self.anew)
-        self._lost = np.where(self.taken, 0, self._lost + 1)
-        return self.taken, self.anew
 
 
 class ScheduledFilter:
@@ -277,7 +145,8 @@ class ScheduledFilter:
         self._process = params.process_covariance(self._gamma, dt)
         self.gate = Gate(params, batch)
 
-    def advance(self, m: int, accel: Array, measured: Array, received: NDArray) -> Array:
+    def advance(self, m: int, accel: Array, measured: Array, received: NDArray,
+                spread: Array | None = None) -> Array:
         """
         Advance the estimate to sample `m` and return it.
 
@@ -291,6 +160,8 @@ class ScheduledFilter:
             Sample m; anything where `received` is false.
         received : ndarray of bool, shape (...)
             Rows that have the sample; the others keep the time update.
+        spread : ndarray, shape (..., 4), optional
+            Covariance of `accel`: xx, yy, zz and xy [m^2/s^4]; the learned filter alone uses it.
 
         Returns
         -------
@@ -318,9 +189,14 @@ class ScheduledFilter:
         """Return the gain (6, 6) of sample m."""
         return self._schedule.gains[m]
 
-    def shift(self, difference: Array) -> None:
-        """Move the estimate by a difference (..., 6)."""
-        self.estimate = self.estimate + difference
+    def state(self) -> Any:
+        """Return what `restore` needs to be as now."""
+        return self.estimate, self.covariance, self.gate.state()
+
+    def restore(self, state: Any) -> None:
+        """Be as then."""
+        self.estimate, self.covariance, gate = state
+        self.gate.restore(gate)
 
     def stand_still(self, m: int) -> None:
         """Use gains for a chaser that stays about where it nominally is at sample m."""
@@ -358,7 +234,8 @@ class AdaptiveFilter:
         self.gate = Gate(params, batch)
         self._read()
 
-    def advance(self, m: int, accel: Array, measured: Array, received: NDArray) -> Array:
+    def advance(self, m: int, accel: Array, measured: Array, received: NDArray,
+                spread: Array | None = None) -> Array:
         """Advance the estimate to sample `m`; arguments as `ScheduledFilter.advance`."""
         rows = list(np.ndindex(self._filters.shape))
         for row in rows:
@@ -380,10 +257,16 @@ class AdaptiveFilter:
         """Return the gains (..., 6, 6) of the last sample."""
         return np.array([kf.K for kf in self._filters.flat]).reshape(*self._filters.shape, 6, 6)
 
-    def shift(self, difference: Array) -> None:
-        """Move the estimates by a difference (..., 6)."""
-        for row in np.ndindex(self._filters.shape):
-            self._filters[row].x = self._filters[row].x + difference[row]
+    def state(self) -> Any:
+        """Return what `restore` needs to be as now."""
+        return [(kf.x, kf.P) for kf in self._filters.flat], self.gate.state()
+
+    def restore(self, state: Any) -> None:
+        """Be as then."""
+        rows, gate = state
+        for kf, (x, p) in zip(self._filters.flat, rows):
+            kf.x, kf.P = x, p
+        self.gate.restore(gate)
         self._read()
 
     def stand_still(self, m: int) -> None:
@@ -398,4 +281,9 @@ class AdaptiveFilter:
         return self.estimate
 
 
-FILTERS = {'scheduled': ScheduledFilter, 'adaptive': AdaptiveFilter}
+def _learned(*args: Any, **kwargs: Any) -> TelemetryFilter:
+    from rvd_groundstation.prediction.learned import LearnedFilter
+    return LearnedFilter(*args, **kwargs)
+
+
+FILTERS = {'learned': _learned, 'scheduled': ScheduledFilter, 'adaptive': AdaptiveFilter}

@@ -14,13 +14,16 @@ Source  Zhang, Li, Tang, J. Astronautics 35(3), 2014, eq. 7 and 8:
 ABORT   from the first ABORT sent on, what acts is the mean over the steps at which one may come
         into force (`abort`): commands in flight until then, the burn, the coast. The covariances
         get what these possibilities differ by.
-Late    a command of ours that comes late counts as neutral until it comes; then the model, and
-        the filter over the last LATE_STEPS samples, are as if it had been there.
+Lost    what commands in flight count for, and what they add to the covariances: `in_flight`.
+Late    a command of ours that comes late counts as the one before until it comes, and as neutral
+        `as_sent`; then the model, and the filter over the last LATE_STEPS samples, are as if it
+        had been there.
 """
 
 from collections import deque
 from collections.abc import Mapping
-from typing import NamedTuple
+from dataclasses import dataclass, replace
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -33,7 +36,9 @@ from rvd_dynamics.diagram.params import param, settings
 from rvd_dynamics.diagram.run import Legs, Run
 from rvd_dynamics.commands.form import CommandForm
 from rvd_groundstation.prediction.abort import AbortProfile
-from rvd_groundstation.prediction.filter import FilterParams, FILTERS
+from rvd_groundstation.prediction.filter import FILTERS
+from rvd_groundstation.prediction.filter_params import FilterParams
+from rvd_groundstation.prediction.in_flight import IN_FLIGHT, Loss, reach, thrust_noise
 
 Array = NDArray[np.float64]
 FAR = 1e8                               # [m, m/s] beyond which a state is none of an approach
@@ -44,9 +49,33 @@ LATE_STEPS = 200                        # samples over which a late command is m
 class PredictorParams:
     """Settings of the predictor; the YAML keys are these names."""
 
-    filter: str = param('scheduled', 'Filter of the telemetry.', choices=FILTERS)
+    in_flight: str = param(
+        'expected', 'What commands in flight count for: their mean, by the probability that they '
+        'get lost, or what was sent, as in the paper.', choices=IN_FLIGHT)
+    filter: str = param('learned', 'Filter of the telemetry.', choices=FILTERS)
+    prior: str = param(
+        'scatter', 'What is known of the start: the scatter of the scenario, or the deviations '
+        'that are set for the filter.', choices=('scatter', 'kalman'))
+    loss_probability: float = param(
+        -1.0, 'Probability that a command gets lost, where -1 means that of the link as it is set.',
+        low=-1.0, high=1.0)
+    use_acknowledgements: bool = param(
+        True, 'Use what telemetry tells of commands: which ones have acted, and how many do.')
     kalman: FilterParams = param(
         FilterParams, 'Process and measurement noise assumed by the filter.')
+
+    def loss(self, link: AbortProfile | None) -> float:
+        """Return the probability that a command gets lost; on a link that is not given, 0."""
+        if self.loss_probability >= 0.0:
+            return self.loss_probability
+        return 0.0 if link is None else 1.0 - link.reaching
+
+    def beginning_with(self, scatter: ArrayLike) -> 'PredictorParams':
+        """Return these settings for a start that scatters by these deviations (6,)."""
+        position, velocity = np.reshape(np.asarray(scatter, dtype=float), (2, 3)).tolist()
+        return replace(self, kalman=replace(
+            self.kalman, start_position_sigma_m=tuple(position),
+            start_velocity_sigma_m_s=tuple(velocity)))
 
 
 class Prediction(NamedTuple):
@@ -60,6 +89,19 @@ class Prediction(NamedTuple):
                                         #             made of it is finite and no larger than FAR
 
 
+@dataclass
+class _Sample:
+    """What the filter is given of one sample, and what it was before (`before`)."""
+
+    m: int
+    own: Array                          # (..., 3) our command that was due in the step before
+    measured: Array
+    received: NDArray
+    acted: NDArray                      # whether that acted, in the rows that were told
+    told: NDArray
+    before: Any = None
+
+
 class Predictor:
     """
     Filter, open-loop model and correction; called once per step, in order.
@@ -70,14 +112,17 @@ class Predictor:
 
     def __init__(self, params: PredictorParams, run: Run, legs: Legs, orbit: OrbitParams,
                  start: StartParams, form: CommandForm, batch: tuple = (),
-                 track: bool = True, abort: AbortProfile | None = None) -> None:
+                 track: bool = True, abort: AbortProfile | None = None,
+                 scatter: ArrayLike | None = None) -> None:
         """
         Start at the nominal state; `batch` is the shape of the leading axes.
 
-        Without an `abort`, what is sent as an ABORT counts as any other command.
+        Without an `abort`, what is sent as an ABORT counts as any other command, and where no
+        probability of loss is set, none gets lost. `scatter` are the standard deviations of the
+        start (6,) [m, m/s], if they are known.
         """
         n, dt = orbit.mean_motion, run.step_s
-        self._legs, self._form, self._batch = legs, form, batch
+        self._run, self._legs, self._form, self._batch = run, legs, form, batch
         self._back = legs.back
         self._neutral = form.effect(np.broadcast_to(form.neutral, (*batch, len(form.neutral))))
         self._retreat = form.effect(np.asarray(form.retreat))
@@ -86,9 +131,17 @@ class Predictor:
         self._phi, self._gamma = cw.transition(n, dt), cw.input_matrix(n, dt)
         loop = legs.loop
         self._phi_loop = cw.transition(n, loop * dt)
-        self._process_loop = _accumulated(
-            params.kalman.process_covariance(self._gamma, dt), self._phi, loop)
+        self._kalman, self._learns = params.kalman, params.filter == 'learned'
+        self._process_loop = _accumulated(self._process(), self._phi, loop)
+        if scatter is not None and params.prior == 'scatter':
+            params = params.beginning_with(scatter)
         self._filter = FILTERS[params.filter](params.kalman, run, orbit, start, batch, track)
+        self.loss = Loss(params.loss(abort), params.use_acknowledgements, batch)
+        self._reach = reach(self._phi, self._gamma, loop)
+        self._in_flight = IN_FLIGHT[params.in_flight](self.loss, self._phi, self._gamma, loop,
+                                                      batch)
+        self._uses_told = params.use_acknowledgements
+        self._stands_in = params.in_flight == 'expected'
         self._track, self._patience = track, params.kalman.gate_patience
         self._valid = np.zeros(batch, dtype=bool)
         self._next_step = 0
@@ -102,11 +155,13 @@ class Predictor:
             self._model.appendleft(self._model[0])
         self._sent = deque([np.zeros((*batch, 3))] * (loop + 1), maxlen=loop + 1)
         self._own = deque(self._sent, maxlen=loop + 1)      # the same, but for an ABORT
-        self._updates: deque = deque(maxlen=LATE_STEPS)     # (gain, received) of each sample
+        # what the filter was given, for commands that come late: to a single run alone
+        self._past: deque[_Sample] = deque(maxlen=0 if batch else LATE_STEPS)
 
     def advance(self, step: int, measured: ArrayLike | None, received: ArrayLike,
                 sent: ArrayLike | None, abort: bool = False,
-                late: Mapping[int, tuple[ArrayLike, bool]] | None = None) -> Prediction:
+                late: Mapping[int, tuple[ArrayLike, bool]] | None = None,
+                acted: ArrayLike | None = None) -> Prediction:
         """
         Process what arrived in this step, and predict.
 
@@ -124,6 +179,9 @@ class Predictor:
             Whether it was an ABORT, in all rows.
         late : mapping of int to (sent, abort)
             Commands of steps before that one, which were None when they were due.
+        acted : array_like of bool, shape (...), or None
+            Whether the command that was due in the step before the sample's has acted, in the
+            rows whose sample came; None where telemetry does not tell.
 
         Returns
         -------
@@ -144,25 +202,50 @@ class Predictor:
         m = step - self._back
         if m >= 0:
             measured, received = self._sample(measured, received)
-            self._filter.advance(m, self._sent[0], measured, received)
-            received = self._filter.gate.taken          # outliers apart
-            self._updates.append((self._filter.gain(m), received))
-            if self._spread is not None:
-                self._spread = self._updated(cw.step(
-                    self._spread, self._differences(0), self._phi, self._gamma),
-                    *self._updates[-1])
-            self._valid = self._valid | received
+            sample = _Sample(m, self._own[0], measured, received, *self._told(m, received, acted))
+            self.loss.hear(sample.acted, sample.told)
+            self._take(sample)
+            if self._track:
+                self._follow(m)
+            self._valid = self._valid | self._filter.gate.taken     # outliers apart
         return self._predict()
 
     def news(self) -> News:
         """Return whether the filter of any row has begun anew in the last step."""
         return [begun_anew('telemetry', self._patience)] if self._filter.gate.anew.any() else []
 
+    def _told(self, m: int, received: NDArray, acted: ArrayLike | None
+              ) -> tuple[NDArray, NDArray]:
+        """Return whether the command acted that was due before sample m, and where that is told."""
+        due = m - self._legs.forward                # number of its frame
+        if acted is None or due <= 0 or not self._uses_told or (
+                self._abort_step is not None and m - 1 >= self._abort_step):
+            return tuple(np.zeros((2, *self._batch), dtype=bool))
+        return np.broadcast_to(acted, self._batch), received
+
+    def _take(self, sample: '_Sample') -> None:
+        """Hand a sample to the filter, and keep it for commands that come late."""
+        if self._past.maxlen:
+            sample.before = self._filter.state()
+            self._past.append(sample)
+        counted = self._acting(sample.m - 1, sample.own)
+        accel, spread = self._in_flight.past(counted, sample.own, sample.acted, sample.told)
+        self._filter.advance(sample.m, accel, sample.measured, sample.received, spread)
+
+    def _follow(self, m: int) -> None:
+        """Carry what the filter leaves out over sample m."""
+        gain, taken = self._filter.gain(m), self._filter.gate.taken
+        self._in_flight.updated(self._own[0], gain, taken)
+        if self._spread is not None:
+            ahead = cw.step(self._spread, self._differences(0), self._phi, self._gamma)
+            left = ahead - (gain @ ahead[..., None])[..., 0]
+            self._spread = np.where(taken[..., None], left, ahead)
+
     # -- what acts --------------------------------------------------------------------------
 
     def _remember(self, emitted: int, sent: ArrayLike | None, abort: bool) -> None:
         """Move the open-loop model on by the command of the last step."""
-        own = self._neutral if sent is None else self._form.effect(sent)
+        own = self._instead() if sent is None else self._form.effect(sent)
         if abort:
             self._learn_of_abort(emitted)
         self._own.append(own)
@@ -171,8 +254,13 @@ class Predictor:
         if abort and self._abort_step == emitted:
             self._act_again()
 
+    def _instead(self) -> Array:
+        """Return what counts for a command of ours that has not come yet."""
+        return self._own[-1] if self._stands_in else self._neutral
+
     def _acting(self, step: int, own: Array) -> Array:
-        """Return the mean acceleration in `step`, for which we have sent `own`."""
+        """Return what counts for the acceleration in `step`, for which we have sent `own`."""
+        own = self._in_flight.mean(own)
         if self._abort_step is None:
             return own
         after = step - self._abort_step
@@ -207,22 +295,18 @@ class Predictor:
         if i >= 0:
             self._own[i] = own
         else:
-            self._shift_estimate(-i, self._acting(acts, own) - self._acting(acts, self._neutral))
+            self._filter_again(-i, own)
         self._act_again()
 
-    def _shift_estimate(self, samples: int, accel: Array) -> None:
-        """Move the estimate by an acceleration that acted just before the last `samples` ones."""
-        if samples > len(self._updates):
+    def _filter_again(self, samples: int, own: Array) -> None:
+        """Run the filter again over the last samples: `own` had acted just before the first."""
+        if samples > len(self._past):
             return                                          # forgotten: telemetry has shown it
-        moved = cw.step(np.zeros((*self._batch, 6)), accel, self._phi, self._gamma)
-        for n, update in enumerate(list(self._updates)[-samples:]):
-            moved = self._updated(cw.product(self._phi, moved) if n else moved, *update)
-        self._filter.shift(moved)
-
-    def _updated(self, difference: Array, gain: Array, received: NDArray) -> Array:
-        """Return what a sample leaves of a difference (..., 6) of the estimate."""
-        kept = difference - (gain @ difference[..., None])[..., 0]
-        return np.where(received[..., None], kept, difference)
+        again = [self._past.pop() for _ in range(samples)][::-1]
+        again[0].own = own
+        self._filter.restore(again[0].before)
+        for sample in again:
+            self._take(sample)
 
     def _differences(self, i: int) -> Array:
         """
@@ -259,7 +343,16 @@ class Predictor:
         if not self._track:
             return None, None
         p = self._filter.covariance
-        p_loop = self._phi_loop @ p @ self._phi_loop.T + self._process_loop
+        p_loop = self._phi_loop @ p @ self._phi_loop.T
+        if not self._learns:
+            p_loop = p_loop + self._process_loop
+        flying = np.array(self._own)[1:]
+        p = p + self._in_flight.estimate_scatter()
+        p_loop = p_loop + self._in_flight.scatter(flying)
+        if self._learns:
+            p_loop = (p_loop + self._filter.unknown[..., None, None]*self._process_loop
+                      + thrust_noise(self._reach, np.array(self._sent)[1:],
+                                     self._kalman.execution_fraction))
         if self._spread is not None:
             ahead = self._spread
             for i in range(1, len(self._own)):
@@ -267,6 +360,12 @@ class Predictor:
             p, p_loop = p + self._scatter(self._spread), p_loop + self._scatter(ahead)
         known = valid[..., None, None]
         return np.where(known, p, np.nan), np.where(known, p_loop, np.nan)
+
+    def _process(self) -> Array:
+        """Return the process noise (6, 6) of a step, but for what depends on the commands."""
+        if self._learns:                    # of an acceleration of 1 m/s^2, which the filter scales
+            return self._gamma @ self._gamma.T
+        return self._kalman.process_covariance(self._gamma, self._run.step_s)
 
     def _scatter(self, differences: Array) -> Array:
         """Return the covariance (..., 6, 6) of differences (h, ..., 6) by arrival of an ABORT."""

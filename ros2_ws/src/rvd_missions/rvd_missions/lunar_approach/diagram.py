@@ -45,9 +45,9 @@ def diagram(scenario: Scenario) -> Diagram:
     estimate = signals.ESTIMATE.shifted(-legs.back)
     prediction = signals.PREDICTION.shifted(legs.forward)
     blocks = [*_space(scenario),
-              leg(scenario, 'link_back', DOWNLINK, TELEMETRY, legs.back),
+              leg(scenario, 'link_back', DOWNLINK, TELEMETRY, legs.back, 'accepted'),
               leg(scenario, 'link_forward', UPLINK, ARRIVAL, legs.forward),
-              *_ground(scenario, legs, estimate, prediction), _columns(scenario)]
+              *_ground(scenario, legs, estimate, prediction), _columns(scenario, prediction)]
     operation = scenario.part('operation')
     driver = DRIVERS['external' if operation.stepped else operation.joy_driver]
     externals = {'console': (CONSOLE,), 'joy': (driver,)}.get(operation.operator, ())
@@ -86,7 +86,8 @@ def _ground(scenario: Scenario, legs: Legs, estimate: Signal, prediction: Signal
     blender_tells = {'mode': signals.MODE} if watches_stick else reading
     return [
         Block('state_predictor', f'{HERE}.ground:StatePredictor', GROUND,
-              reads={'telemetry': now(TELEMETRY), 'command': last(command, late='late')},
+              reads={'telemetry': now(TELEMETRY, 'accepted'),
+                     'command': last(command, late='late')},
               writes={'estimate': estimate, 'prediction': prediction, 'score': SCORE},
               settings=settings['state_predictor']),
         *_operator(scenario, estimate, prediction),
@@ -131,10 +132,12 @@ def _operator(scenario: Scenario, estimate: Signal, prediction: Signal) -> list[
     return []
 
 
-def _columns(scenario: Scenario) -> Block:
-    """Return what counts, in process, who decided."""
+def _columns(scenario: Scenario, prediction: Signal) -> Block:
+    """Return what counts, in process, who decided, and what predictions are worth."""
     operator = scenario.part('operation').operator
     reads = {'truth': now(TRUTH), 'command': now(COMMAND.shifted(scenario.part('legs').forward))}
     if operator in ('model', 'replay'):
         reads['stick'] = now(STICK)
+    if scenario.part('measured').prediction:
+        reads['prediction'] = now(prediction, 'covariance')
     return Block('columns', f'{HERE}.columns:Columns', WATCH, reads=reads, executable='')

@@ -6,18 +6,20 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.commands.codes import BY_PILOT, KIND_ABORT, KIND_THRUST, REASON_ABORT
 from rvd_dynamics.commands.levels import LevelForm, stick_levels, StickParams, ThrustParams
 from rvd_dynamics.diagram.block import Block
 from rvd_dynamics.diagram.control import Control
+from rvd_dynamics.diagram.params import build
 from rvd_dynamics.diagram.run import Legs, Run
 from rvd_dynamics.diagram.scenario import Scenario
 from rvd_dynamics.diagram.streams import PilotDraws
 from rvd_dynamics.geometry.cone import Cone, SLOWEST_RATE
 from rvd_dynamics.geometry.keep_out import Stop
-from rvd_dynamics.motion.orbit import OrbitParams, StartParams
+from rvd_dynamics.motion.orbit import OrbitParams, ScatterParams, StartParams
 from rvd_groundstation.guidance import Law
 from rvd_groundstation.guidance.keep_out import among, Map, uses_covariance
 from rvd_groundstation.operators.operation import MODES, Operation
@@ -77,18 +79,30 @@ def tape(scenario: Scenario) -> Tape:
     return read_tape(settings.tape, settings.tape_topic)
 
 
+def start_scatter(scenario: Scenario) -> NDArray[np.float64]:
+    """
+    Return the standard deviations of the start (6,), which the ground knows [m, m/s].
+
+    The rest of that section is the world's, and the ground does not load its modules.
+    """
+    given, prefix = scenario.sections.get('spacecraft_dynamics', {}), 'scatter.'
+    return build(ScatterParams, {key[len(prefix):]: value for key, value in given.items()
+                                 if key.startswith(prefix)}, label=prefix).sigma
+
+
 # -- blocks ------------------------------------------------------------------------------------
 
 class StatePredictor:
     """Filter of the telemetry, prediction across the loop, and its score."""
 
     def __init__(self, settings: PredictorParams, run: Run, legs: Legs, orbit: OrbitParams,
-                 start: StartParams, form: LevelForm, abort_profile: AbortProfile, batch: tuple,
-                 wanted: frozenset[str]) -> None:
+                 start: StartParams, form: LevelForm, abort_profile: AbortProfile,
+                 start_scatter: NDArray, batch: tuple, wanted: frozenset[str]) -> None:
         scored = 'score' in wanted
         track = scored or bool({'estimate.covariance', 'prediction.covariance'} & wanted)
         self._predictor = Predictor(settings, run, legs, orbit, start, form, batch, track,
-                                    abort_profile)
+                                    abort_profile, start_scatter)
+        self._loop = legs.loop
         self.news = self._predictor.news
         self._score = Score(legs, batch) if scored else None
 
@@ -99,7 +113,7 @@ class StatePredictor:
                        for step, missed in (late or {}).items()}
         p = self._predictor.advance(k, telemetry.state, telemetry.received,
                                     None if k == 0 else command.command, _is_abort(command),
-                                    made_up_for)
+                                    made_up_for, self._acted(k, telemetry))
         known = {'estimate': ESTIMATE(state=p.estimate, covariance=p.estimate_covariance,
                                       valid=p.valid),
                  'prediction': PREDICTION(state=p.predicted, covariance=p.covariance,
@@ -108,6 +122,13 @@ class StatePredictor:
             known['score'] = SCORE(**self._score.advance(
                 p, telemetry.state, telemetry.received)._asdict())
         return known
+
+
+    def _acted(self, k: int, telemetry: Any) -> NDArray | None:
+        """Return whether the command acted that was due just before the sample of step k."""
+        if telemetry.accepted is None:
+            return None
+        return telemetry.accepted >= k - self._loop         # number of its frame
 
 
 def _is_abort(command: Any) -> bool:
@@ -154,8 +175,11 @@ class AutoController:
     """
 
     def __init__(self, law: Law, form: LevelForm, operation: Operation, obstacles: Obstacles,
-                 run: Run, runs: Sequence[int], batch: tuple, block: Block,
+                 run: Run, legs: Legs, runs: Sequence[int], batch: tuple, block: Block,
                  stop: Stop | None) -> None:
+        level = getattr(law, 'blind_level', 0)
+        self._blind = np.broadcast_to(np.array([level, 0, 0], dtype=np.int8), (*batch, 3))
+        self._blind_steps = legs.back if level else 0
         self._asks = bool(obstacles.count) and uses_covariance(law)
         if obstacles.count:             # the map is known before the flight
             law = among(law, Map(obstacles.places(run.seed, runs, batch), obstacles.radii, stop))
@@ -171,9 +195,12 @@ class AutoController:
         seen = None
         if stick is not None and self._mode != 'auto' and np.any(stick.valid):
             seen = np.broadcast_to(stick.command, (*prediction.state.shape[:-1], 3))
-        well = {'covariance': prediction.covariance} if self._asks else {}
-        wanted = self._law.wanted(prediction.state, seen, **well)
-        made = {'auto': AUTO(command=self._form.quantise(wanted), valid=prediction.valid)}
+        if k < self._blind_steps:
+            made = {'auto': AUTO(command=self._blind, valid=np.ones_like(prediction.valid))}
+        else:
+            well = {'covariance': prediction.covariance} if self._asks else {}
+            wanted = self._law.wanted(prediction.state, seen, **well)
+            made = {'auto': AUTO(command=self._form.quantise(wanted), valid=prediction.valid)}
         return made | ({'reading': _reading(stick)} if self._tells else {})
 
 

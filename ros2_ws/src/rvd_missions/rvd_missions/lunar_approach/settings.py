@@ -35,6 +35,15 @@ class DockingParams:
 
 
 @settings
+class Measured:
+    """What is measured of a run in a campaign besides what its judge measures."""
+
+    prediction: bool = param(
+        False, 'Hold each prediction against the truth of its instant: its error by its own '
+        'covariance, and how often it lies within two deviations.')
+
+
+@settings
 class Obstacles(Spheres):
     """
     Keep-out spheres that stand in the frame of the target, for the centre of the chaser.
@@ -131,7 +140,7 @@ def clear_start(scenario: Scenario, obstacles: Obstacles, start: StartParams, co
                       'the start, where the chaser is')
     scenario.part('stop')
     method = scenario.settings('state_predictor').filter
-    require(method == 'adaptive', 'state_predictor: filter',
-            'be adaptive among obstacles, where the chaser may stand: the scheduled filter '
-            'knows only the straight approach', method)
+    require(method != 'scheduled', 'state_predictor: filter',
+            'be learned or adaptive among obstacles, where the chaser may stand: the scheduled '
+            'filter knows only the straight approach', method)
     return True

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from rvd_dynamics.commands.codes import REASON_EMPTY
 from rvd_dynamics.commands.levels import LevelForm
-from rvd_dynamics.diagram.run import Run
+from rvd_dynamics.diagram.run import Legs, Run
 from rvd_dynamics.motion.orbit import OrbitParams, StartParams
 from rvd_dynamics.world.plants.relative import TRUTH_MODELS
 from rvd_dynamics.world.settings import DynamicsParams, SensorParams
@@ -46,22 +46,31 @@ class SpacecraftDynamics:
 class RelativeSensor:
     """What the chaser measures, and what it sends down."""
 
-    def __init__(self, settings: SensorParams, noise: NDArray, wanted: frozenset[str]) -> None:
+    def __init__(self, settings: SensorParams, legs: Legs, noise: NDArray, batch: tuple,
+                 wanted: frozenset[str]) -> None:
         self._sensor, self._noise = settings.selected, noise
         self._acknowledges = 'downlink.accepted' in wanted
-        self._accepted = 0
+        self._accepted = np.zeros(batch, dtype=np.int64)
+        self._forward = legs.forward
 
     def step(self, k: int, truth: Any, thrust: Any) -> dict[str, Any]:
         """Return the measurement of step k and the downlink that carries it."""
         measured = self._sensor.measure(truth.state, self._noise[..., k, :])
-        told = self._acknowledged(thrust) if self._acknowledges else {}
+        told = self._acknowledged(k, thrust) if self._acknowledges else {}
         return {'measurement': MEASUREMENT(state=measured),
                 'downlink': DOWNLINK(state=measured, **told)}
 
-    def _acknowledged(self, thrust: Any) -> dict[str, Any]:
-        """Return the last command that the guard accepted, and why it refused one just now."""
-        refusal = 0
-        if thrust.sequence is not None:
-            refusal = 0 if thrust.sequence else int(thrust.reason)      # none was accepted: why
-            self._accepted = max(self._accepted, int(thrust.sequence))
+    def _acknowledged(self, k: int, thrust: Any) -> dict[str, Any]:
+        """
+        Return the last command that the guard accepted, and why it refused one just now.
+
+        In one process frames have no numbers: a command that acts was sent a leg before, for the
+        step before this one, and the frame of step j has number j + 1.
+        """
+        if thrust.sequence is None:
+            if thrust.valid is not None:
+                self._accepted = np.where(thrust.valid, max(k - self._forward, 0), self._accepted)
+            return {'accepted': self._accepted}
+        refusal = 0 if thrust.sequence else int(thrust.reason)          # none was accepted: why
+        self._accepted = np.maximum(self._accepted, thrust.sequence)
         return {'accepted': self._accepted, 'refusal': 0 if refusal == REASON_EMPTY else refusal}

@@ -33,6 +33,7 @@ STARTS, FIRST, ROUNDS, EACH = 2, 60, 6, 15          # points: at random, then ab
 SHRINK = 0.6                            # of the range in each round
 FAILED = 10.0
 CLOSING_M_S, START_M = 0.25, 30.0
+PAPER = {'in_flight': 'as_sent', 'filter': 'scheduled', 'prior': 'kalman'}      # its predictor
 RANGES = {                              # lowest and highest value of each number
     'corridor_apf': {
         'lambda_1_m3_s2': (1e-5, 1e-2), 'lambda_2_m_s2': (1e-4, 0.05),
@@ -86,7 +87,7 @@ def base() -> tuple[Scenario, Scenario]:
     link = {'model': 'gamma'}
     shared = Scenario('tuning', MISSION, {
         '/**': {'seed': SEED, 'mode': 'shared', 'operator': 'model'},
-        'link_forward': link, 'link_back': link}).check()
+        'link_forward': link, 'link_back': link, 'state_predictor': PAPER}).check()
     return shared, shared.with_values('/**', mode='auto', operator='none')
 
 

@@ -25,7 +25,7 @@ from rvd_dynamics.diagram.run import Legs, Run
 from rvd_dynamics.geometry.collision import require_definite
 from rvd_dynamics.motion import cw
 from rvd_groundstation.prediction.abort import AbortProfile
-from rvd_groundstation.prediction.filter import FilterParams
+from rvd_groundstation.prediction.filter_params import FilterParams
 from rvd_groundstation.prediction.predictor import Predictor, PredictorParams
 from rvd_missions.obstacle_field.settings import Obstacles, Orbit, Start
 
@@ -89,12 +89,14 @@ class NavigationParams:
 
     def filter(self) -> PredictorParams:
         """Return the settings of the chaser's filter."""
-        return PredictorParams('scheduled', FilterParams(
+        kalman = FilterParams(
             process_noise_m_s2=self.process_noise_m_s2, process_variance_floor=PROCESS_FLOOR,
             measurement_fraction=1e-12, position_sigma_m=self.assumed_position_sigma_m,
             velocity_sigma_m_s=self.assumed_velocity_sigma_m_s,
             start_position_sigma_m=(10.0,) * 3, start_velocity_sigma_m_s=(1.0,) * 3,
-            gate_patience=self.gate_patience))
+            gate_patience=self.gate_patience)
+        return PredictorParams(
+            in_flight='as_sent', filter='scheduled', prior='kalman', kalman=kalman)
 
     def on(self, legs: Legs) -> 'Chosen':
         """

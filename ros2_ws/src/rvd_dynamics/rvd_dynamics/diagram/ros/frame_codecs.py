@@ -105,6 +105,7 @@ class Telemetry(Codec):
     def __init__(self, signal: Signal, run: Run, event: Event) -> None:
         super().__init__(signal, run)
         self._event, self._width = event, signal.parts[0].shape[0]
+        self._acknowledges = any(part.name == 'accepted' for part in signal.parts)
         self._complaint = checker(signal)
         self._window = ReplayWindow()
         self._counts = dict.fromkeys(Refusal, 0)
@@ -132,7 +133,8 @@ class Telemetry(Codec):
         if not isinstance(content, Measured):
             return self._refused(content)
         state = np.array(content.state)
-        found = self.signal(state=state, received=np.isfinite(state).all())
+        told = {'accepted': np.int64(content.accepted_sequence)} if self._acknowledges else {}
+        found = self.signal(state=state, received=np.isfinite(state).all(), **told)
         why = self._complaint(found, k)
         if why:
             return self._refused(Refusal.RANGE, f': {why}')
