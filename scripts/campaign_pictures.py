@@ -1,7 +1,7 @@
 """
 Make the pictures of campaigns in docs/images again, from the folder that holds those of campaigns.
 
-    for name in table3 delay eta variants loss replicates laws; do
+    for name in table3 delay eta variants loss replicates laws consistency; do
         ./rvd campaign $name --out runs/$name
     done
     ./rvd shell python scripts/campaign_pictures.py runs        # of those that are in there
@@ -20,6 +20,7 @@ PICTURES = {                    # campaign: its figures, and the picture of each
     'delay': {'curve': 'campaign_delay'}, 'eta': {'curve': 'campaign_eta'},
     'variants': {'success': 'campaign_variants'}, 'loss': {'curve': 'campaign_loss'},
     'replicates': {'replicates': 'campaign_replicates'}, 'laws': {'comparison': 'laws'},
+    'consistency': {'consistency': 'campaign_consistency'},
     'docking': {'margins': 'docking-campaign'},
     'docking_alignment': {'curve': 'docking-alignment-campaign'},
     'docking_failures': {'thrusters': 'docking-failures-campaign'},

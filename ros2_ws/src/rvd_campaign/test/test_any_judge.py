@@ -71,7 +71,7 @@ def made(tmp_path):
     condition = replace(parse_campaign('runs: 4', 'x').conditions[0], name=name)
     measures = declared(MEASURES)
     return {'measures': measures, 'reasons': REASONS, 'fitted': {}, 'differences': [],
-            'conditions': [summary.of_condition(condition, table, 1.0, list(measures))]}
+            'conditions': [summary.of_condition(condition, table, 1.0, measures)]}
 
 
 def test_the_summary_has_means_of_its_measures(made):
@@ -81,6 +81,16 @@ def test_the_summary_has_means_of_its_measures(made):
     assert 'share_of_steps' not in condition
     head, row = summary.in_words(made).splitlines()[-2:]
     assert head.split()[-2:] == ['rad', 'kg'] and row.split()[-2:] == ['0.06', '2.5']
+
+
+def test_a_measure_that_says_so_has_its_mean_over_all_runs():
+    condition = parse_campaign('runs: 4', 'x').conditions[0]
+    table = {'success': np.array([True, False, False, True]), 'reason': np.array(['a']*4),
+             'duration_s': np.ones(4), 'fuel_kg': np.array([1.0, 2.0, 3.0, 8.0])}
+    for of_all, mean in ((False, 4.5), (True, 3.5)):
+        measures = declared([replace(MEASURES[1], of_all=of_all)])
+        made = summary.of_condition(condition, table, 1.0, measures)
+        assert made['means'] == {'fuel_kg': mean}
 
 
 def test_the_page_has_a_column_for_each_measure_and_reason(made):

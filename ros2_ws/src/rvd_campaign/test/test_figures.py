@@ -156,10 +156,18 @@ def test_a_picture_is_written(bag, tmp_path):
 # -- what is drawn, of a run of known numbers ------------------------------------------------------
 
 def test_prediction_is_held_against_the_truth_of_the_same_instant(bag):
-    t, error, sigma = prediction_error(bag)
+    t, error, covariance = prediction_error(bag)
     assert_allclose(t, np.arange(2 * HOLD, LAST + 1) * 0.5)
     assert_allclose(error, np.tile(small_run.ERROR, (len(t), 1)), atol=1e-12)
-    assert_allclose(sigma, np.tile(small_run.SIGMA, (len(t), 1)), rtol=1e-12)
+    assert_allclose(covariance, np.tile(np.diag(np.square(small_run.SIGMA)), (len(t), 1, 1)),
+                    rtol=1e-12)
+
+
+def test_a_consistent_prediction_has_the_sum_of_its_squared_ratios(bag):
+    expected = np.square(np.divide(small_run.ERROR, small_run.SIGMA)).sum()
+    figure = FIGURES['consistency'].draw(bag)
+    assert_allclose(line(figure, 'of each prediction')[:, 1], expected, rtol=1e-9)
+    assert f'Mean {expected:.1f}' in figure.axes[0].get_title()
 
 
 def test_the_true_track_is_drawn_where_it_was(bag):

@@ -133,7 +133,8 @@ def test_page_works_on_light_dark_and_paper(html):
 
 def test_the_figures_are_those_of_the_mission_with_their_captions(recording, html):
     figures = figures_of(recording)
-    assert list(figures) == ['approach', 'margin', 'levels', 'prediction', 'links']
+    assert list(figures) == ['approach', 'margin', 'levels', 'prediction', 'consistency',
+                             'links']
     text = Reader(html).text
     assert html.count('<svg') == len(figures)
     for figure in figures.values():

@@ -160,6 +160,8 @@ def _campaign_rows(r: dict) -> list[Row]:
             Row('  one filterpy and one pilot object per run', f'{r["one_by_one_per_core_s"]}'),
             Row('  times that', f'{r["ratio"]:.0f}', f'>= {c.MIN_RATIO}',
                 r['ratio'] >= c.MIN_RATIO),
+            Row('with the default predictor, of the paper\'s', f'{r["default_of_paper"]:.2f}',
+                f'>= {c.MIN_RATE_OF_PAPER}', r['default_of_paper'] >= c.MIN_RATE_OF_PAPER),
             Row('flying on two processes, of one', f'{r["speed_up_on_two"]:.2f}',
                 f'>= {c.MIN_SPEED_UP}', r['speed_up_on_two'] >= c.MIN_SPEED_UP),
             Row(f'table3, {r["table_runs"]} runs a condition, two workers',

@@ -97,6 +97,7 @@ def page(made: Results) -> str:
         facts=[('campaign ', campaign.name, ''), ('', len(campaign.conditions), ' conditions'),
                ('', f'{campaign.runs:,}', ' runs each'), ('seed ', campaign.seed, '')],
         conditions=_conditions(summary, campaign.reference), differences=_differences(summary),
+        of_all=[m['words'] for m in _tabled(summary).values() if m.get('of_all')],
         measured=_measured(summary),
         replicates=_replicates(summary),
         figures=[_figure(name, figure, made) for name, figure in shown_by(campaign).items()],

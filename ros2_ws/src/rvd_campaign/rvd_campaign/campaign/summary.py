@@ -35,15 +35,14 @@ def finish(campaign: Campaign, folder: Path) -> dict[str, Any]:
     """
     conditions, success, by_replicate, kept = [], {}, {}, {}
     judge = judge_of(campaign.conditions[0].scenario)           # limits may differ, names do not
-    measures = declared(judge.measures)
+    measures = _measures(campaign, judge)
     seconds = _seconds(folder, len(campaign.conditions))
     compared, paired = {name for both in campaign.compare for name in both}, [DURATION, *measures]
     try:
         with results.result_file(folder / RESULTS, campaign.seed) as file:
             for (name, table), spent in zip(condition_tables(campaign, folder), seconds):
                 file.add(name, table)
-                conditions.append(of_condition(campaign.condition(name), table, spent,
-                                               list(measures)))
+                conditions.append(of_condition(campaign.condition(name), table, spent, measures))
                 success[name] = table['success']
                 if name in compared:
                     kept[name] = {key: table[key] for key in paired if key in table}
@@ -64,6 +63,12 @@ def finish(campaign: Campaign, folder: Path) -> dict[str, Any]:
     return unknown_as_none(summary)
 
 
+def _measures(campaign: Campaign, judge: Any) -> dict[str, dict[str, Any]]:
+    """Return what is measured: what the judge measures, and columns of the mission's own."""
+    own = campaign.mission.column_measures
+    return declared([*judge.measures, *(loaded(own) if own else ())])
+
+
 REAL = (int, float)
 NUMBER = (int, float, type(None))
 BY_NAME = {'': NUMBER}                  # any name maps to a number
@@ -71,7 +76,7 @@ SPREAD = {'mean?': REAL, 'deviation?': REAL, 'middle95?': [REAL, 2]}
 SHAPE: dict[str, Any] = {               # of what the report reads
     'title': str, 'result_hash': str, 'identity': {'': str, 'code': str}, 'fitted': {'': str},
     'notes': [str], 'reasons': {'': str},
-    'measures': {'': {'words': str, 'unit': str, 'digits': int}},
+    'measures': {'': {'words': str, 'unit': str, 'digits': int, 'of_all?': bool}},
     'conditions': [{
         'name': str, 'runs': int, 'successes': int, 'success_rate': REAL, 'runs_per_s': NUMBER,
         'wilson95': [REAL, 2], 'means': BY_NAME, 'standard_errors': BY_NAME,
@@ -108,26 +113,27 @@ def is_summary(content: Any) -> bool:
             and all(0 <= m['digits'] < 20 for m in content['measures'].values()))
 
 
-def of_condition(condition: Condition, table: Table, seconds: float, measures: list[str]
-                 ) -> dict[str, Any]:
+def of_condition(condition: Condition, table: Table, seconds: float,
+                 measures: dict[str, dict[str, Any]]) -> dict[str, Any]:
     """
     Return the summary of one condition.
 
     Means and standard errors are over successes, of the measures that the table holds and of the
-    duration. Those that
-    are known in every run have a mean over all runs, too. Columns `steps_...` beside `steps` are
-    counts of steps, of which the mean share is given.
+    duration; over all runs of those measures that say so (`of_all`). Those that are known in every
+    run have a mean over all runs, too. Columns `steps_...` beside `steps` are counts of steps, of
+    which the mean share is given.
     """
     good = table['success']
     runs, successes = len(good), int(good.sum())
     here = [name for name in measures if name in table]
-    over_successes = {name: stats.mean(table[name][good]) for name in here}
+    counted = {name: stats.mean(table[name] if measures[name].get('of_all') else table[name][good])
+               for name in here}
     always_known = [name for name in here if not np.isnan(table[name]).any()]
     made = {
         'name': condition.name, 'at': condition.at, 'runs': runs, 'successes': successes,
         'success_rate': successes / runs, 'wilson95': list(stats.wilson(successes, runs)),
-        'means': {name: value for name, (value, _) in over_successes.items()},
-        'standard_errors': {name: error for name, (_, error) in over_successes.items()},
+        'means': {name: value for name, (value, _) in counted.items()},
+        'standard_errors': {name: error for name, (_, error) in counted.items()},
         'duration_s': dict(zip(('mean', 'standard_error'), stats.mean(table[DURATION][good]))),
         'reasons': dict(sorted(Counter(table['reason'].tolist()).items())),
         'means_of_all_runs': {name: stats.mean(table[name])[0] for name in always_known},

@@ -28,6 +28,9 @@ if TYPE_CHECKING:
 LANDED, TRACKS = 300, 40                # runs shown per condition
 COMPARED = {'delta_v_m_s': 'delta-v [m/s]', 'duration_s': 'time [s]', 'offset_m': 'offset [m]',
             'min_corridor_margin_m': 'least margin [m]'}
+# of predictions: what is right, and the label
+PREDICTED = {'prediction_nees': (6.0, 'NEES of the prediction'),
+             'prediction_coverage_2sigma': (0.954, 'share within two sigma')}
 Drawn = tuple['Canvas', str]
 
 
@@ -176,6 +179,36 @@ def comparison(results: Any) -> Drawn:
                     'to 95 % of the successful runs of each condition.')
 
 
+def consistency(results: Any) -> Drawn:
+    """Draw what predictions were worth in every condition: NEES, and how often within two sigma."""
+    names = list(results.tables)
+    words = [worded(name) for name in names]
+    left = min(0.04 + 0.0068*max(map(len, words)), 0.5)
+    figure = canvas(1.0 + 0.27*len(names), left=left, wspace=0.08, top=0.15)
+    panels = figure.subplots(1, 2, sharey=True)
+    for panel, (column, (right, label)) in zip(panels, PREDICTED.items()):
+        panel.axvline(right, color=INK, linestyle=DASHED, linewidth=1.2)
+        for at, name in enumerate(names):
+            values = results.tables[name][column]
+            values = values[~np.isnan(values)]
+            if not len(values):
+                continue
+            panel.plot(np.quantile(values, [0.05, 0.95]), [at, at], color=BLUE, linewidth=1.0)
+            off = 1.96*values.std()/np.sqrt(len(values))
+            panel.plot([values.mean() - off, values.mean() + off], [at, at], color=BLUE,
+                       linewidth=5.0, solid_capstyle='butt')
+            panel.plot(values.mean(), at, 'o', color=ORANGE, markersize=4.5)
+        panel.set(xlabel=label)
+        panel.grid(axis='y', visible=False)
+    panels[0].set_xscale('log')
+    panels[0].set_yticks(range(len(names)), words)
+    panels[0].set_ylim(len(names) - 0.4, -0.6)
+    return figure, (
+        'Each prediction of each run held against the truth of its instant. Dots: mean of all '
+        'runs, with its 95 % interval; thin lines: 5 to 95 % of the runs. Dashed: what a normally '
+        'distributed error of the claimed covariance gives, 6 and 95.4 %.')
+
+
 def _spread(axes: 'Axes', at: int, values: NDArray[np.float64]) -> None:
     if not len(values):
         return
@@ -190,5 +223,7 @@ FIGURES = {
     'tracks': CampaignFigure(tracks, 'Tracks', tall=True),
     'failures': CampaignFigure(failures, 'Where runs fail', ('failed_x_m',)),
     'comparison': CampaignFigure(comparison, 'Conditions side by side', tuple(COMPARED), tall=True),
+    'consistency': CampaignFigure(consistency, 'What predictions are worth', tuple(PREDICTED),
+                                  tall=True),
     'cluttered': CampaignFigure(cluttered.draw, 'Among obstacles', cluttered.COLUMNS, tall=True),
 }

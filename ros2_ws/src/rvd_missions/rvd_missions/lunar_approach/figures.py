@@ -13,6 +13,7 @@ from rvd_dynamics.geometry import cone
 from rvd_dynamics.recording.drawing import (
     ABOVE, BLUE, canvas, CORNER, DASHED, every, Figure, GREEN, INK, MUTED, ORANGE, VERMILLION)
 from rvd_dynamics.recording.recording import Recording
+from rvd_groundstation.prediction.consistency import nees, SIGMAS, within
 from rvd_missions.lunar_approach.signals import (
     ARRIVAL, AUTO, COMMAND, MEASUREMENT, PREDICTION, SCORE, STICK, TRUTH, UPLINK)
 
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure as Canvas
 
 AXES = 'xyz'
+NEES_95 = (1.24, 14.45)                 # 95 % of a chi-square of 6
 PREDICTED = {'color': BLUE, 'linewidth': 1.1, 'linestyle': (0, (4, 2))}
 
 
@@ -184,7 +186,7 @@ def levels(run: Recording) -> 'Canvas':
 
 def prediction_error(run: Recording) -> tuple[NDArray, NDArray, NDArray]:
     """
-    Return times (N,) [s], predicted minus true (N, 6) and claimed deviations (N, 6).
+    Return times (N,) [s], predicted minus true (N, 6) and claimed covariances (N, 6, 6).
 
     Only predictions for instants whose truth was recorded: one for an instant after the end of
     the run has none.
@@ -195,16 +197,44 @@ def prediction_error(run: Recording) -> tuple[NDArray, NDArray, NDArray]:
               for k, ok in zip(np.rint(made.t / step_s).astype(int).tolist(), made.valid)]
     rows = np.array(wanted, dtype=int)
     used = rows >= 0
-    variance = np.diagonal(made.covariance[used], axis1=-2, axis2=-1)
-    return (made.t[used], made.state[used] - true.state[rows[used]],
-            np.sqrt(np.maximum(variance, 0.0)))
+    return made.t[used], made.state[used] - true.state[rows[used]], made.covariance[used]
+
+
+def consistency(run: Recording) -> 'Canvas':
+    """Draw each prediction's error by its own covariance: all six together, and one by one."""
+    figure = canvas(3.6, hspace=0.16)
+    together, each = figure.subplots(2, 1, sharex=True)
+    t, error, covariance = prediction_error(run)
+    found = nees(error, covariance)
+    together.axhspan(*NEES_95, color=BLUE, alpha=0.16, linewidth=0, label='95 % of right ones')
+    together.axhline(6.0, color=BLUE, linewidth=1.2, linestyle=DASHED, label='right mean, 6')
+    together.plot(t, found, color=INK, linewidth=1.4, label='of each prediction')
+    known = np.isfinite(found)
+    if known.any():
+        inside = within(error[known], covariance[known]).mean()
+        together.set_title(f'Mean {found[known].mean():.1f}; '
+                           f'{100*inside:.1f} % within two sigma')
+    together.set(yscale='log', ylabel='NEES',
+                 ylim=(0.05, max(40.0, 1.3*np.nanmax(found, initial=0.0))))
+    together.legend(ncols=3, **ABOVE)
+    ratio = error[known]/np.sqrt(np.diagonal(covariance[known], axis1=-2, axis2=-1))
+    each.axhspan(-SIGMAS, SIGMAS, color=BLUE, alpha=0.16, linewidth=0)
+    for i, colour in enumerate((INK, ORANGE, GREEN)):
+        each.plot(t[known], ratio[:, i], color=colour, linewidth=1.4, label=AXES[i])
+        each.plot(t[known], ratio[:, 3 + i], color=colour, linewidth=1.1, linestyle=DASHED,
+                  label=f'{AXES[i]} rate')
+    _scaled_to(each, np.append(ratio, 2.4))
+    each.set(xlabel='instant predicted for [s]', ylabel='error, in sigma')
+    each.legend(ncols=6, **ABOVE)
+    return figure
 
 
 def prediction(run: Recording) -> 'Canvas':
     """Draw the prediction error against truth in its band, and against what came down later."""
     figure = canvas(5.4, top=0.58, hspace=0.12, wspace=0.16)
     panels = figure.subplots(3, 2, sharex=True)
-    t, error, sigma = prediction_error(run)
+    t, error, covariance = prediction_error(run)
+    sigma = np.sqrt(np.maximum(np.diagonal(covariance, axis1=-2, axis2=-1), 0.0))
     score, forward = run.of(SCORE), run.links['forward']
     scored = score.valid
     lost = forward.never_released + forward.hold_s
@@ -268,4 +298,10 @@ FIGURES = {
         'until telemetry reveals the loss.',
         signals=(TRUTH.name, PREDICTION.name),
         also=(f'{PREDICTION.name}.covariance', SCORE.name, ARRIVAL.name, UPLINK.name)),
+    'consistency': Figure(
+        consistency, 'What the prediction was worth',
+        'Normalised error squared (NEES) of each prediction: its error against the truth, all six '
+        'components, by the covariance that it claimed. Predictions that follow each other hold '
+        'the same commands, so a single run is no test: the campaign `consistency` is.',
+        signals=(TRUTH.name, PREDICTION.name), also=(f'{PREDICTION.name}.covariance',)),
 }
