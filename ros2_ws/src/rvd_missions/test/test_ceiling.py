@@ -9,7 +9,8 @@ import pytest
 from rvd_dynamics.diagram.in_process import fly, judge_of
 from rvd_dynamics.diagram.scenario import parse
 from rvd_dynamics.world.plants.relative import Cw
-from rvd_missions.lunar_approach.ceiling import _of, _World, best_margin, ceiling, main
+from rvd_missions.lunar_approach.ceiling import (
+    _draw, _of, _towards_axis, _World, best_margin, ceiling, first_steps, main, WAYS_HOME)
 
 PAPER = parse('auto_controller: {ros__parameters: {law: barrier}}', 'paper')
 QUIET = PAPER.with_values('spacecraft_dynamics', execution_noise_fraction=0.0)
@@ -102,6 +103,37 @@ def test_link_that_is_down_leaves_what_drifts_in():
     assert not ceiling(dead, range(8)).docked.any()
 
 
+def test_a_command_before_telemetry_saves_runs_that_a_silent_ground_loses():
+    """
+    Found by looking for one: level -3 on x while nothing is known, then by feedback of the truth.
+
+    It is a history of commands, so nobody may say that none could have docked these runs.
+    """
+    wide = scattered((0.0, 0.8, 0.8)).with_values('spacecraft_dynamics',
+                                                  execution_noise_fraction=0.0)
+    runs, steps = range(600), first_steps(wide)
+    silent, whatever = (ceiling(wide, runs, steps[name]) for name in ('silent', 'any'))
+    assert np.all(whatever.docked >= silent.docked)
+    drawn, form = _draw(wide, runs), wide.part('form')
+    lost = np.flatnonzero(silent.left | silent.refuted)
+    world, judge = _of(drawn, lost), judge_of(wide, (len(lost),))
+    state, truth = world.start, Cw(wide.part('orbit'), wide.run.step_s)
+    judge.start(state)
+    for step in range(wide.run.last_step):
+        levels = form.quantise(_towards_axis(state, wide.part('orbit').mean_motion, WAYS_HOME[0]))
+        if step < steps['silent']:
+            levels[:] = (-3, 0, 0) if step >= steps['any'] else 0
+        levels[~world.gets_up[:, step]] = 0
+        accel = form.effect(levels)
+        state = truth.advance(state, accel)
+        judge.advance(step + 1, state, accel)
+        if judge.ended.all():
+            break
+    saved = judge.verdict().success
+    assert saved.sum() >= 2 and not silent.docked[lost].any()
+    assert not (whatever.left | whatever.refuted | whatever.outside)[lost[saved]].any()
+
+
 @pytest.mark.slow
 @pytest.mark.patient
 def test_no_law_docks_a_run_that_is_refuted_and_the_barrier_nearly_all_others():
@@ -134,10 +166,11 @@ def test_shown_beside_what_a_law_reached(tmp_path, capsys):
     (tmp_path / 'own.yaml').write_text('auto_controller: {ros__parameters: {law: none}}')
     main([str(tmp_path / 'own.yaml'), '--runs', '50'])
     lines = dict(line.split(None, 1) for line in capsys.readouterr().out.splitlines())
-    counts = [int(lines[name].split()[0]) for name in ('outside', 'left', 'refuted', 'docked',
-                                                       'open')]
-    assert sum(counts) == 50
-    assert 0.5 < float(lines['flown'].split(',')[0]) < float(lines['ceiling'].split()[-1])
+    counts = [lines[name].split()[::2] for name in ('outside', 'left', 'refuted', 'docked',
+                                                    'open')]
+    assert [sum(map(int, column)) for column in zip(*counts)] == [50, 50]
+    silent, whatever = (float(text.split('..')[1]) for text in lines['ceiling'].split())
+    assert 0.5 < float(lines['flown']) < silent <= whatever
     with pytest.raises(SystemExit):
         main([str(tmp_path / 'absent.yaml')])
     assert 'cannot read scenario' in capsys.readouterr().err

@@ -53,6 +53,33 @@ def test_without_noise_the_law_alone_docks_from_beside_the_axis(law):
     assert 110.0 < batch.verdict.duration[0] < 170.0
 
 
+def test_blind_seconds_are_used_and_no_more():
+    """Level -2 on x in the steps in which no telemetry can have come, if it is asked for."""
+    commands = {}
+    for level in (0, -2):
+        scenario = tuning.with_law(approach(CALM, **ASIDE, **AUTO), 'barrier',
+                                   {'blind_level': level})
+        sent = fly(scenario, [0], record=['/ground/command']).history['/ground/command']
+        commands[level] = sent.command[:, 0]
+    back = scenario.part('legs').back
+    assert (commands[-2][:back] == (-2, 0, 0)).all() and not commands[0][:back].any()
+    assert (commands[-2][back:back + 5, 0] >= 0).all()
+
+
+@pytest.mark.slow
+@pytest.mark.patient
+def test_blind_seconds_pay_where_they_are_long():
+    """At 20 s, run by run: it saves more runs than it loses, which chance does once in 10,000."""
+    long = {'/**': {'forward_delay_s': 10.0, 'back_delay_s': 10.0},
+            'command_blender': {'sharing': 'filter'}}
+    blind, still = (np.concatenate([
+        fly(tuning.with_law(approach(long), 'barrier', {'blind_level': level}),
+            range(first, first + 1000)).verdict.success for first in range(0, 6000, 1000)])
+        for level in (-3, 0))
+    saved, lost = (blind & ~still).sum(), (still & ~blind).sum()
+    assert saved - lost > 3.72*np.sqrt(saved + lost)        # McNemar
+
+
 @pytest.mark.parametrize('law', sorted(set(LAWS) - {'none'}))
 def test_without_noise_pilot_and_law_dock_together(law):
     assert flown(law, **ASIDE).verdict.reason[0] == 'docked'

@@ -76,6 +76,9 @@ class Barrier:
     force_closing_m_s: tuple = param(
         (0.15, 0.285), 'Closing rates below and above which level 1 corrects the rate [m/s].',
         length=2, rising=True)
+    blind_level: int = param(
+        0, 'Level along x that is sent while no telemetry can have come yet: a negative one slows '
+        'the approach, which gains time for what is not known.', low=-HIGHEST, high=HIGHEST)
     around_m_s: float = param(
         0.05, 'Largest lateral rate at which it leads round an obstacle that is in the way, where '
         '0 means that it only stops [m/s].', low=0.0, high=1.0)

@@ -1,5 +1,10 @@
 """
-The physical ceiling: how many runs any commands at all could have brought home.
+The physical ceilings: how many runs commands could have brought home at all.
+
+There are two, for a ground that begins at t = 0 with a link that has not been running:
+silent      it says nothing before it has seen telemetry: commands act from the loop delay on;
+any         whatever it says, from t = 0 on: commands act one forward delay later. So what leaves
+            the corridor between the two may be saved by a command that nobody has a reason for.
 
 Frame   target orbital (+x along track, +y radially outward, +z completes the triad).
 State   (x, y, z, vx, vy, vz) [m, m/s] on the last axis; one row per run.
@@ -81,7 +86,7 @@ class _World(NamedTuple):
 def ceiling(scenario: Scenario, runs: Sequence[int], first_step: int | None = None
             ) -> Ceiling:
     """
-    Decide for each run whether any command history could have docked it.
+    Decide for each run whether a history of commands could have docked it.
 
     Parameters
     ----------
@@ -90,16 +95,15 @@ def ceiling(scenario: Scenario, runs: Sequence[int], first_step: int | None = No
     runs : sequence of int
         Numbers of the runs.
     first_step : int, optional
-        First step in which a command can act; by default the whole loop delay after the
-        start, because a command before has seen no telemetry. 0 is a link that was already
-        running.
+        First step in which a command can act, one of `first_steps`; by default that of a ground
+        that is silent until it has seen telemetry.
 
     Returns
     -------
     Ceiling
     """
     if first_step is None:
-        first_step = scenario.part('legs').loop
+        first_step = first_steps(scenario)['silent']
     if first_step < 0:
         raise BadInput(f'first_step must not be negative, got {first_step}')
     if len(runs) == 0:
@@ -107,6 +111,12 @@ def ceiling(scenario: Scenario, runs: Sequence[int], first_step: int | None = No
     parts = [_decide(scenario, runs[i:i + BATCH], first_step)
              for i in range(0, len(runs), BATCH)]
     return Ceiling(*(np.concatenate(part) for part in zip(*parts)))
+
+
+def first_steps(scenario: Scenario) -> dict[str, int]:
+    """Return the first step in which a command can act, by ceiling; `warm`: the link was running."""
+    legs = scenario.part('legs')
+    return {'silent': legs.loop, 'any': legs.forward, 'warm': 0}
 
 
 def _decide(scenario: Scenario, runs: Sequence[int], first_step: int) -> Ceiling:
@@ -257,13 +267,14 @@ def _motion(state: Array, scenario: Scenario, steps: int) -> tuple[Array, Array]
 # -- shown beside a law -----------------------------------------------------------------------
 
 def main(args: Sequence[str] | None = None) -> None:
-    """Print the ceiling of a scenario and what its law reached in the same runs."""
+    """Print the ceilings of a scenario and what its law reached in the same runs."""
     parser = argparse.ArgumentParser('python -m rvd_missions.lunar_approach.ceiling',
                                      description=main.__doc__)
     parser.add_argument('scenario', type=Path, help='scenario file')
     parser.add_argument('--runs', type=int, default=20000, metavar='N')
-    parser.add_argument('--warm', action='store_true',
-                        help='the link was running before t = 0; what is flown starts cold')
+    parser.add_argument(
+        '--warm', action='store_true', help='for a link that was running before t = 0, instead of '
+        'a ground that is silent until telemetry and any command; what is flown starts cold')
     options = parser.parse_args(args)
     try:
         scenario, runs = load(options.scenario), range(options.runs)
@@ -271,16 +282,21 @@ def main(args: Sequence[str] | None = None) -> None:
             raise BadInput(f'{options.scenario} must be of mission {MISSION.name}, got '
                            f'{scenario.mission.name}')
         check(scenario)
-        found = ceiling(scenario, runs, 0 if options.warm else None)
+        named = first_steps(scenario)
+        wanted = ['warm'] if options.warm else ['silent', 'any']
+        found = {name: ceiling(scenario, runs, named[name]) for name in wanted}
     except BadInput as error:
         parser.error(str(error))
-    for name, mask in found._asdict().items():
-        print(f'{name:8s} {mask.sum():7d}  {mask.mean():.4f}')
-    print('ceiling  {:.4f} to {:.4f}'.format(*found.bounds))
+    print('         ' + ''.join(f'{name:>18s}' for name in found))
+    for part in Ceiling._fields:
+        masks = [getattr(one, part) for one in found.values()]
+        print(f'{part:8s} ' + ''.join(f'{m.sum():9d}  {m.mean():.5f}' for m in masks))
+    print('ceiling  ' + ''.join('{:9.5f}..{:.5f}'.format(*one.bounds) for one in found.values()))
     reached = np.concatenate([fly(scenario, runs[i:i + BATCH]).verdict.success
                               for i in range(0, options.runs, BATCH)])
-    print(f'flown    {reached.mean():.4f}, of the runs that could be saved '
-          f'{reached[found.docked].mean():.4f}')
+    print(f'flown    {reached.mean():.5f}')
+    for name, one in found.items():
+        print(f'         {reached[one.docked].mean():.5f} of the runs that could be saved ({name})')
 
 
 if __name__ == '__main__':
