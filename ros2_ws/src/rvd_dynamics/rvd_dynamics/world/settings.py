@@ -1,7 +1,8 @@
 """
 Settings of the two nodes that are the true world: the motion with its start, and the sensor.
 
-Source  Zhang, Li, Tang 2014, section 3.1: scatter of the start, 1 % noise on thrust.
+Source  Zhang, Li, Tang 2014, section 3.1: scatter of the start, 1 % noise on thrust. That an error
+        lasts for a burn is ours.
 """
 
 import numpy as np
@@ -11,6 +12,7 @@ from rvd_dynamics.motion.orbit import ScatterParams, StartParams
 from rvd_dynamics.world.plants.relative import TRUTH_MODELS
 from rvd_dynamics.diagram.params import choice, param, settings
 from rvd_dynamics.world.sensors import SENSORS
+from rvd_dynamics.world.spacecraft.thrusters import ERRORS
 
 
 @settings
@@ -22,6 +24,12 @@ class DynamicsParams:
     execution_noise_fraction: float = param(
         0.01, 'Standard deviation of the executed thrust, as a fraction of the commanded one.',
         low=0.0, high=1.0)
+    execution_noise_per: str = param(
+        'step', 'For how long an error of the thrust lasts: a step, as the paper draws it, or the '
+        'whole burn.', choices=ERRORS)
+    thrust_fraction: float = param(
+        1.0, 'Thrust that the craft gives on average, as a fraction of that of the levels, which '
+        'pilot and law are not told.', low=0.0, high=2.0)
     scatter: ScatterParams = param(ScatterParams, 'Scatter of the start about its nominal state.')
 
     def start(self, start: StartParams, normals: ArrayLike) -> NDArray[np.float64]:

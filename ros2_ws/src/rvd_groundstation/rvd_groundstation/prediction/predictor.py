@@ -36,6 +36,7 @@ from rvd_dynamics.diagram.params import param, settings
 from rvd_dynamics.diagram.run import Legs, Run
 from rvd_dynamics.commands.form import CommandForm
 from rvd_groundstation.prediction.abort import AbortProfile
+from rvd_groundstation.prediction.believed import believed
 from rvd_groundstation.prediction.filter import FILTERS
 from rvd_groundstation.prediction.filter_params import FilterParams
 from rvd_groundstation.prediction.in_flight import IN_FLIGHT, Loss, reach, thrust_noise
@@ -49,6 +50,8 @@ LATE_STEPS = 200                        # samples over which a late command is m
 class PredictorParams:
     """Settings of the predictor; the YAML keys are these names."""
 
+    prediction: bool = param(
+        True, 'Predict over the loop; without, the newest sample is shown and used as it came.')
     in_flight: str = param(
         'expected', 'What commands in flight count for: their mean, by the probability that they '
         'get lost, or what was sent, as in the paper.', choices=IN_FLIGHT)
@@ -63,6 +66,9 @@ class PredictorParams:
         True, 'Use what telemetry tells of commands: which ones have acted, and how many do.')
     kalman: FilterParams = param(
         FilterParams, 'Process and measurement noise assumed by the filter.')
+    predictor_bias: float = param(
+        1.0, 'Thrust acceleration that the predictor takes a command for, as a multiple of that of '
+        'its levels.', low=0.7, high=1.3)
 
     def loss(self, link: AbortProfile | None) -> float:
         """Return the probability that a command gets lost; on a link that is not given, 0."""
@@ -122,6 +128,7 @@ class Predictor:
         start (6,) [m, m/s], if they are known.
         """
         n, dt = orbit.mean_motion, run.step_s
+        form = believed(form, params.predictor_bias)
         self._run, self._legs, self._form, self._batch = run, legs, form, batch
         self._back = legs.back
         self._neutral = form.effect(np.broadcast_to(form.neutral, (*batch, len(form.neutral))))

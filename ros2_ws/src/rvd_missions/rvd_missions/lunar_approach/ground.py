@@ -26,6 +26,7 @@ from rvd_groundstation.operators.operation import MODES, Operation
 from rvd_groundstation.operators.pilot import Pilot, PilotParams
 from rvd_groundstation.operators.tape import read_tape, Tape
 from rvd_groundstation.prediction.abort import AbortProfile
+from rvd_groundstation.prediction.newest import Newest
 from rvd_groundstation.prediction.predictor import Predictor, PredictorParams
 from rvd_groundstation.prediction.score import Score
 from rvd_groundstation.sharing import decide
@@ -101,7 +102,8 @@ class StatePredictor:
         scored = 'score' in wanted
         track = scored or bool({'estimate.covariance', 'prediction.covariance'} & wanted)
         self._predictor = Predictor(settings, run, legs, orbit, start, form, batch, track,
-                                    abort_profile, start_scatter)
+                                    abort_profile, start_scatter) \
+            if settings.prediction else Newest(batch, track)
         self._loop = legs.loop
         self.news = self._predictor.news
         self._score = Score(legs, batch) if scored else None

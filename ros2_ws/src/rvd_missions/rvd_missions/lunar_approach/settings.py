@@ -139,6 +139,8 @@ def clear_start(scenario: Scenario, obstacles: Obstacles, start: StartParams, co
         require_apart(key, place, np.array(start.position_m), radius,
                       'the start, where the chaser is')
     scenario.part('stop')
+    require(scenario.settings('state_predictor').prediction, 'state_predictor: prediction',
+            'be true among obstacles, which laws keep away from by the predicted state', False)
     method = scenario.settings('state_predictor').filter
     require(method != 'scheduled', 'state_predictor: filter',
             'be learned or adaptive among obstacles, where the chaser may stand: the scheduled '

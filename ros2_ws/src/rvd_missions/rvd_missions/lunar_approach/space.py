@@ -14,7 +14,7 @@ from rvd_dynamics.diagram.run import Legs, Run
 from rvd_dynamics.motion.orbit import OrbitParams, StartParams
 from rvd_dynamics.world.plants.relative import TRUTH_MODELS
 from rvd_dynamics.world.settings import DynamicsParams, SensorParams
-from rvd_dynamics.world.spacecraft.thrusters import execute
+from rvd_dynamics.world.spacecraft.thrusters import execute, OfBurns
 from rvd_missions.lunar_approach.end import ended
 from rvd_missions.lunar_approach.settings import Obstacles
 from rvd_missions.lunar_approach.signals import DOWNLINK, MEASUREMENT, TRUTH
@@ -29,6 +29,8 @@ class SpacecraftDynamics:
         self._model = TRUTH_MODELS[settings.truth_model](orbit, run.step_s)
         self._form, self._last_step = form, run.last_step
         self._noise, self._noise_fraction = execution, settings.execution_noise_fraction
+        self._burns = OfBurns(batch) if settings.execution_noise_per == 'burn' else None
+        self._thrust_fraction = settings.thrust_fraction
         self._state = settings.start(start, scatter)
         self._places, self._radii = obstacles.places(run.seed, runs, batch), obstacles.radii
         self._acceleration = np.full((*batch, 3), np.nan)
@@ -36,11 +38,16 @@ class SpacecraftDynamics:
     def step(self, k: int, thrust: Any) -> dict[str, Any]:
         """Return the truth of step k, under the thrust of the step before."""
         if k > 0:
-            self._acceleration = execute(self._form.effect(thrust.command),
-                                         self._noise[..., k - 1, :], self._noise_fraction)
+            self._acceleration = self._thrust_fraction*self._executed(
+                self._form.effect(thrust.command), self._noise[..., k - 1, :])
             self._state = self._model.advance(self._state, self._acceleration)
         final = ended(k, self._state, self._last_step, self._places, self._radii)
         return {'truth': TRUTH(state=self._state, acceleration=self._acceleration, final=final)}
+
+    def _executed(self, nominal: NDArray, normals: NDArray) -> NDArray[np.float64]:
+        if self._burns is not None:
+            normals = self._burns.of(nominal, normals)
+        return execute(nominal, normals, self._noise_fraction)
 
 
 class RelativeSensor:
