@@ -118,6 +118,33 @@ def test_runs_alone_are_those_of_a_batch():
     assert_array_equal(together[:len(alone), 1], alone[:, 0])
 
 
+# -- sensor and link ---------------------------------------------------------------------------
+
+def test_a_bias_of_the_sensor_lasts_for_a_run_and_differs_between_runs():
+    lasting = (0.0, 0.2, 0.2)
+    history = flown([TRUTH, MEASURED], range(200), relative_sensor={
+        'sensor': 'additive', 'additive__noise_fraction': 0.0, 'additive__position_bias_m': lasting,
+        'additive__position_sigma_m': (0.0, 0.0, 0.0)})
+    off = (history[MEASURED].state - history[TRUTH].state)[:200, :, :3]
+    assert_allclose(off, np.broadcast_to(off[0], off.shape), atol=1e-12)
+    assert_array_equal(off[0, :, 0], 0.0)
+    assert_allclose(off[0, :, 1:].std(axis=0), 0.2, rtol=0.25)      # 200 runs: 5 deviations
+
+
+def test_runs_with_bursts_and_biases_alone_are_those_of_a_batch():
+    changes = {'relative_sensor': {'sensor': 'additive', 'additive__position_bias_m': (.1, .1, .1)},
+               'link_forward': {'burst_fraction': 0.2}, 'link_back': {'burst_fraction': 0.2}}
+    together = flown([TRUTH], (3, 4, 5), **changes)[TRUTH].state
+    alone = flown([TRUTH], (4,), **changes)[TRUTH].state
+    assert_array_equal(together[:len(alone), 1], alone[:, 0])
+
+
+def test_the_ground_counts_bursts_among_what_gets_lost():
+    reaching = [paper_with(link_forward=link).part('abort_profile').reaching for link in (
+        {}, {'burst_fraction': 0.2, 'burst_loss_fraction': 0.5})]
+    assert reaching[1] == pytest.approx(0.9*reaching[0])
+
+
 # -- why lost commands seem to help ------------------------------------------------------------
 
 @pytest.mark.slow

@@ -12,7 +12,7 @@ due in the same step. Which frame comes out when is then read from the channel i
 
 from collections import deque
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -24,6 +24,7 @@ from rvd_dynamics.diagram.block import LINK, now
 from rvd_dynamics.diagram.run import Run
 from rvd_dynamics.diagram.scenario import Scenario
 from rvd_dynamics.diagram.signal import Signal
+from rvd_dynamics.link.bursts import lost_in_bursts
 from rvd_dynamics.link.channel import Channel
 from rvd_dynamics.link.models import LinkParams
 from rvd_dynamics.link.plan import draw_plan, intact_of_runs, LinkPlan
@@ -42,18 +43,33 @@ class LinkChance:
 
     @property
     def purposes(self) -> tuple[str, ...]:
-        """The one stream."""
-        return (self.purpose,)
+        """The stream of the link, and that of its bursts where it has any."""
+        return (self.purpose, self.of_bursts) if self.params.lost_to_bursts else (self.purpose,)
+
+    @property
+    def of_bursts(self) -> str:
+        """What the stream of the bursts is for."""
+        return f'link/{self.purpose.replace("/", "_")}/bursts'
 
     def of_run(self, seed: int, run: int, steps: int) -> LinkPlan:
         """Return the plan of one run."""
-        return draw_plan(self.params, streams.generator(seed, run, self.purpose), steps,
+        plan = draw_plan(self.params, streams.generator(seed, run, self.purpose), steps,
                          self.step_ns, self.hold_steps)
+        if not self.params.lost_to_bursts:
+            return plan
+        return replace(plan, lost=plan.lost | self._bursts(seed, [run], steps)[0, :, None])
 
     def of_runs(self, seed: int, runs: Sequence[int], steps: int) -> NDArray[np.bool_]:
         """Return which frames come through intact and in time, (N, steps)."""
-        return intact_of_runs(self.params, streams.generators(seed, runs, self.purpose), len(runs),
-                              steps, self.step_ns, self.hold_steps)
+        intact = intact_of_runs(self.params, streams.generators(seed, runs, self.purpose),
+                                len(runs), steps, self.step_ns, self.hold_steps)
+        if self.params.lost_to_bursts:
+            intact &= ~self._bursts(seed, runs, steps)
+        return intact
+
+    def _bursts(self, seed: int, runs: Sequence[int], steps: int) -> NDArray[np.bool_]:
+        return lost_in_bursts(self.params, streams.generators(seed, runs, self.of_bursts), steps,
+                              self.step_ns)
 
 
 def leg(scenario: Scenario, name: str, content: Signal, arrival: Signal, hold_steps: int,

@@ -124,6 +124,12 @@ class LinkParams:
     reorder_delay_s: float = param(
         1.0, 'Additional delay of a copy that is held up on its way [s].',
         low=0.0, high=LONGEST_S)
+    burst_fraction: float = param(
+        0.0, 'Share of the time in which the link is bad, in bursts.', low=0.0, high=0.5)
+    burst_mean_s: float = param(
+        2.0, 'Mean duration of a burst, at least a step [s].', above=0.0, high=LONGEST_S)
+    burst_loss_fraction: float = param(
+        1.0, 'Probability that a frame sent in a burst is lost, with its copy.', low=0.0, high=1.0)
     outage_windows_s: tuple = param(        # not (): ROS cannot tell the type of an empty list
         (0.0, 0.0), 'Start and end of each outage in turn, where equal values mean no outage '
         '[s].', low=0.0, high=LONGEST_S)
@@ -148,6 +154,11 @@ class LinkParams:
         """Say whether any frame may be lost, copied, damaged or held up by chance."""
         return max(self.loss_fraction, self.duplicate_fraction, self.corrupt_fraction,
                    self.reorder_fraction) > 0.0
+
+    @property
+    def lost_to_bursts(self) -> float:
+        """Probability that a frame is lost to a burst, in the long run."""
+        return self.burst_fraction * self.burst_loss_fraction
 
     @cached_property
     def outages_ns(self) -> tuple:

@@ -7,7 +7,7 @@ copies that fare independently, each in time with probability F(i) within i step
 
     P(not in force j steps after the first was sent) = prod over i = 0..j of 1 - F(i).
 
-Limits  outages are not foreseen. Transits are those of the link's settings, 4,096 drawn once; a
+Limits  outages are not foreseen, and what bursts take is taken for independent. Transits are those of the link's settings, 4,096 drawn once; a
         burn is not shorter or longer than the guard's settings say.
 """
 
@@ -36,6 +36,7 @@ class Link(Protocol):
     delay_model: Any                    # has delays(rng, size, hold_s) [s], NaN where lost
     loss_fraction: float
     corrupt_fraction: float
+    lost_to_bursts: float
     reorder_fraction: float
     reorder_delay_s: float
 
@@ -63,7 +64,8 @@ class AbortProfile:
         transit = transit + link.reorder_delay_s * (rng.random(TRANSITS) < link.reorder_fraction)
         step_ns = self.run.step_ns
         steps = np.ceil(np.rint(transit * NS_PER_S) / step_ns)      # NaN: never, in no bin below
-        intact = (1.0 - link.loss_fraction) * (1.0 - link.corrupt_fraction)
+        intact = ((1.0 - link.loss_fraction) * (1.0 - link.corrupt_fraction)
+                  * (1.0 - link.lost_to_bursts))
         return intact * np.array([np.mean(steps <= j) for j in range(LONGEST)])
 
     @property

@@ -19,7 +19,7 @@ from rvd_dynamics.diagram.diagram import Diagram
 from rvd_dynamics.diagram.run import Legs
 from rvd_dynamics.diagram.scenario import Scenario
 from rvd_dynamics.diagram.signal import Signal
-from rvd_dynamics.diagram.streams import Normals, PilotChance, StartNormals
+from rvd_dynamics.diagram.streams import Draw, Normals, PilotChance, StartNormals
 from rvd_dynamics.link.leg import leg
 from rvd_dynamics.link.signals import status
 from rvd_groundstation.guidance.keep_out import uses_covariance
@@ -65,11 +65,19 @@ def _space(scenario: Scenario) -> list[Block]:
               reads={'truth': now(TRUTH), 'thrust': last(THRUST)},
               writes={'measurement': MEASUREMENT, 'downlink': DOWNLINK},
               settings=settings['relative_sensor'],
-              draws={'noise': Normals('measurement', 6)}),
+              draws=_errors_of_the_sensor(scenario)),
         Block('onboard_guard', 'rvd_dynamics.onboard.guard.block:Guard', ONBOARD,
               reads={'arrival': now(ARRIVAL)}, writes={'thrust': THRUST},
               settings=settings['onboard_guard']),
     ]
+
+
+def _errors_of_the_sensor(scenario: Scenario) -> dict[str, Draw]:
+    drawn: dict[str, Draw] = {'noise': Normals('measurement', 6)}
+    if getattr(scenario.settings('relative_sensor').selected, 'adds', False):
+        drawn |= {'added': Normals('lunar_approach/relative_sensor/added', 6),
+                  'bias': StartNormals('lunar_approach/relative_sensor/bias', 6)}
+    return drawn
 
 
 def _ground(scenario: Scenario, legs: Legs, estimate: Signal, prediction: Signal) -> list[Block]:

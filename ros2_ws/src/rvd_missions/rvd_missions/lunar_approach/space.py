@@ -54,15 +54,18 @@ class RelativeSensor:
     """What the chaser measures, and what it sends down."""
 
     def __init__(self, settings: SensorParams, legs: Legs, noise: NDArray, batch: tuple,
-                 wanted: frozenset[str]) -> None:
+                 wanted: frozenset[str], added: NDArray | None = None,
+                 bias: NDArray | None = None) -> None:
         self._sensor, self._noise = settings.selected, noise
+        self._added, self._bias = added, bias
         self._acknowledges = 'downlink.accepted' in wanted
         self._accepted = np.zeros(batch, dtype=np.int64)
         self._forward = legs.forward
 
     def step(self, k: int, truth: Any, thrust: Any) -> dict[str, Any]:
         """Return the measurement of step k and the downlink that carries it."""
-        measured = self._sensor.measure(truth.state, self._noise[..., k, :])
+        more = () if self._added is None else (self._added[..., k, :], self._bias)
+        measured = self._sensor.measure(truth.state, self._noise[..., k, :], *more)
         told = self._acknowledged(k, thrust) if self._acknowledges else {}
         return {'measurement': MEASUREMENT(state=measured),
                 'downlink': DOWNLINK(state=measured, **told)}

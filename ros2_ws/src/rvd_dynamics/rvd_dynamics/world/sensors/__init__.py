@@ -1,5 +1,5 @@
 """Sensor models; the table is `SENSORS`."""
 
-from rvd_dynamics.world.sensors.models import Multiplicative, SENSORS
+from rvd_dynamics.world.sensors.models import Additive, Multiplicative, SENSORS
 
-__all__ = ['Multiplicative', 'SENSORS']
+__all__ = ['Additive', 'Multiplicative', 'SENSORS']
