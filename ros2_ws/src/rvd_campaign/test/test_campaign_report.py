@@ -3,6 +3,7 @@ The page of a campaign: well formed, by itself, and saying what was fitted.
 """
 
 import copy
+from dataclasses import replace
 import io
 import json
 from random import Random
@@ -16,7 +17,7 @@ import numpy as np
 import pytest
 from scipy.stats import ttest_rel
 
-from rvd_campaign.campaign import report, results
+from rvd_campaign.campaign import report, results, stats
 from rvd_campaign.campaign.engine import fly_campaign, KEPT, RESULTS, start, Workers
 from rvd_campaign.campaign.figures import figures_of, needed, Results
 from rvd_campaign.campaign.progress import Progress
@@ -98,10 +99,10 @@ def test_ids_of_figures_do_not_meet(html):
 
 def test_page_shows_every_figure_and_table(html):
     assert html.count('<svg') == 7
-    assert list(FIGURES) == ['success', 'curve', 'replicates', 'landing', 'tracks', 'failures',
-                             'comparison', 'consistency', 'cluttered']
-    for name, figure in FIGURES.items():        # nor measured, nor obstacles to be among
-        assert (figure.title in html) == (name not in ('consistency', 'cluttered'))
+    assert list(FIGURES) == ['success', 'curve', 'differences', 'replicates', 'landing', 'tracks',
+                             'failures', 'comparison', 'consistency', 'cluttered']
+    for name, figure in FIGURES.items():        # those that the campaign asks for
+        assert (figure.title in html) == (name not in ('differences', 'consistency', 'cluttered'))
     for words in ('Differences', 'How runs ended', 'Who decided', 'How to reproduce',
                   'Campaign file', 'paper', '0.1444'):
         assert words in html
@@ -216,6 +217,36 @@ def test_figures_hold_the_runs_they_say(made):
         np.testing.assert_allclose(
             figure.axes[0].lines[0].get_ydata(),
             [made.rows[f'manual,loop_delay_s={d}']['success_rate'] for d in (4, 10)])
+
+
+@pytest.mark.parametrize('successes, runs', [(950, 1000), (1000, 1000)])
+def test_failures_are_shown_beside_successes_where_these_crowd(made, successes, runs):
+    """The rate and its interval mirrored; where nothing failed its upper end alone."""
+    rows = [{**row, 'runs': runs, 'successes': successes, 'success_rate': successes/runs}
+            for row in made.summary['conditions']]
+    crowded = replace(made, summary={**made.summary, 'conditions': rows})
+    low, high = stats.wilson(successes, runs)
+    with matplotlib.rc_context(STYLE):
+        figure, caption = FIGURES['success'].draw(crowded)
+        assert 'logarithmic' in caption and len(figure.axes) == 2
+        bar, dot = figure.axes[1].lines[:2]
+        assert figure.axes[1].get_xscale() == 'log' and bar.get_xdata()[1] == 1.0 - low
+        assert bar.get_xdata()[0] == pytest.approx(1.0 - high if successes < runs else 0.1/runs)
+        assert dot.get_xdata()[0] == pytest.approx(1.0 - (successes/runs if successes < runs
+                                                          else low))
+        figure, _ = FIGURES['success'].draw(made)
+        assert len(figure.axes) == 1 + (max(r['success_rate'] for r in made.rows.values()) > 0.9)
+
+
+def test_the_figure_of_differences_holds_those_of_the_summary(made):
+    with matplotlib.rc_context(STYLE):
+        figure, caption = FIGURES['differences'].draw(made)
+    pairs = made.summary['differences']
+    drawn = [line.get_xdata() for panel in figure.axes for line in panel.lines]
+    for pair in pairs:
+        assert any(list(x) == pair['paired95'] for x in drawn)
+        assert any(list(x) == [pair['difference']] for x in drawn)
+    assert 'one is expected to exclude 0' in caption
 
 
 def test_replicates_are_groups_of_runs_in_their_order(made):
