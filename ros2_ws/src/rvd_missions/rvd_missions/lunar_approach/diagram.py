@@ -74,7 +74,8 @@ def _space(scenario: Scenario) -> list[Block]:
 
 def _errors_of_the_sensor(scenario: Scenario) -> dict[str, Draw]:
     drawn: dict[str, Draw] = {'noise': Normals('measurement', 6)}
-    if getattr(scenario.settings('relative_sensor').selected, 'adds', False):
+    # as given: its settings belong to the world, which processes of the ground do not load
+    if scenario.sections.get('relative_sensor', {}).get('sensor') == 'additive':
         drawn |= {'added': Normals('lunar_approach/relative_sensor/added', 6),
                   'bias': StartNormals('lunar_approach/relative_sensor/bias', 6)}
     return drawn
