@@ -2,7 +2,7 @@
 """
 Show that results are those of another commit, bit for bit, on this machine.
 
-    ./rvd shell python scripts/same_bits.py                     every shipped campaign, whole
+    ./rvd shell python scripts/same_bits.py                     every campaign of the commit, whole
     ./rvd shell python scripts/same_bits.py table3 --runs 200   one of them, shortened
 
 Sets up a git worktree of the commit, then flies with both trees' own `./rvd`: first a few
@@ -37,6 +37,9 @@ COMMIT = 'f472391'                      # the last one before the diagram
 RENAMED: dict[str, str] = {}            # column of the commit: what it is called now
 SCENARIOS = ('paper', 'rough_link', 'two_body', 'hand', 'barrier')
 SEEDS = (1, 2)
+AS_THEN = {                             # what has other defaults since the commit: its own
+    'state_predictor': {'in_flight': 'as_sent', 'filter': 'scheduled', 'prior': 'kalman'},
+    'spacecraft_dynamics': {'execution_noise_per': 'step'}}
 MATTERS = ('numpy', 'scipy')            # packages whose version may change a last bit
 SHOW_S, LOG_S = 0.2, 15.0               # [s] between two looks at a terminal, two lines in a log
 STOPS = (signal.SIGINT, signal.SIGTERM)
@@ -75,6 +78,8 @@ def flown_now(scenario: Path, seed: int) -> dict[str, NDArray]:
     from rvd_dynamics.diagram.in_process import fly
     from rvd_dynamics.diagram.scenario import load
     read = load(scenario).with_values('/**', seed=seed)
+    for section, values in AS_THEN.items():
+        read = read.with_values(section, **values)
     truth, thrust = read.diagram.truth.name, read.diagram.thrust
     history = fly(read, [0], record=[truth, thrust]).history
     return {'truth': history[truth].state[:, 0],
@@ -93,9 +98,10 @@ def fly_scenarios(tree: str, root: Path, out: Path) -> None:
                                                        seed).items()})
 
 
-def fly_campaign(tree: Tree, name: str, runs: int | None, out: Path, log: Path) -> None:
-    """Fly a campaign, or the rest of one that was begun in the folder."""
-    arguments = [name, '--resume' if (out / 'campaign.json').exists() else '--out', out]
+def fly_campaign(tree: Tree, file: Path, runs: int | None, out: Path, log: Path) -> None:
+    """Fly the file of a campaign, or the rest of one that was begun in the folder."""
+    name = file.stem
+    arguments = [file, '--resume' if (out / 'campaign.json').exists() else '--out', out]
     arguments += ['--runs', runs] if runs else []
     run(f'{name}, {tree.name}', tree.command('campaign', *arguments), log)
 
@@ -352,7 +358,7 @@ def parser() -> Parser:
                   epilog='Exit codes: 0 all is the same, 1 something differs, 2 could not compare, '
                          '130 Ctrl-C.')
     made.add_argument('campaigns', nargs='*', metavar='CAMPAIGN',
-                      help='names in `rvd list campaigns` (default: all that are shipped)')
+                      help='campaigns of the commit, as its files have them (default: all)')
     made.add_argument('--runs', type=int, metavar='N',
                       help='runs of each condition (default: those of the campaign)')
     made.add_argument('--commit', default=COMMIT, metavar='COMMIT',
@@ -370,23 +376,23 @@ def parser() -> Parser:
     return made
 
 
-def shipped(names: list[str]) -> list[str]:
-    """Return the campaigns to fly: those named, or all."""
-    known = sorted(path.stem for path in (ROOT / 'campaigns').glob('*.yaml'))
+def shipped(names: list[str], root: Path) -> list[str]:
+    """Return the campaigns of the commit to fly: those named, or all."""
+    known = sorted(path.stem for path in (root / 'campaigns').glob('*.yaml'))
     for name in names:
         if name not in known:
-            raise CannotCompare(f'no campaign {name}: there are {", ".join(known)}')
+            raise CannotCompare(f'the commit has no campaign {name}: it has {", ".join(known)}')
     return list(dict.fromkeys(names)) or known
 
 
 def compare(args: argparse.Namespace) -> int:
     """Fly and compare as the command line asks; return the exit code."""
-    names = shipped(args.campaigns)
     if args.runs is not None and args.runs < 1:
         raise CannotCompare(f'--runs must be at least 1, got {args.runs}')
     take_stops()
     with scratch_folder() as scratch, \
             tree_of(args.commit, args.before, args.keep, scratch) as before:
+        names = shipped(args.campaigns, before.root)
         log, now = scratch / 'log', Tree('now', ROOT)
         run('setting up the commit', before.command('setup'), log)
         check_versions([before, now], log)
@@ -399,10 +405,11 @@ def compare(args: argparse.Namespace) -> int:
         kept = Path(args.results).resolve() if args.results else scratch / 'results'
         kept.mkdir(parents=True, exist_ok=True)
         for name in names:
+            file = before.root / 'campaigns' / f'{name}.yaml'       # seeds have changed since
             flown = {before: kept / (f'{name}-{args.runs}' if args.runs else name),
                      now: scratch / f'{name}-now'}
             for tree, folder in flown.items():
-                fly_campaign(tree, name, args.runs, folder, log)
+                fly_campaign(tree, file, args.runs, folder, log)
             same &= compare_results(name, *flown.values())
             shutil.rmtree(flown[now])
     print(f'all as commit {args.commit}' if same else f'not all as commit {args.commit}')
