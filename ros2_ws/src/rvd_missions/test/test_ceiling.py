@@ -10,7 +10,9 @@ from rvd_dynamics.diagram.in_process import fly, judge_of
 from rvd_dynamics.diagram.scenario import parse
 from rvd_dynamics.world.plants.relative import Cw
 from rvd_missions.lunar_approach.ceiling import (
-    _draw, _of, _towards_axis, _World, best_margin, ceiling, first_steps, main, WAYS_HOME)
+    _draw, _of, _thrust_limits, _towards_axis, _World, best_margin, ceiling, first_steps, main,
+    WAYS_HOME)
+from rvd_missions.lunar_approach.signals import ARRIVAL, TRUTH
 
 PAPER = parse('auto_controller: {ros__parameters: {law: barrier}}', 'paper')
 QUIET = PAPER.with_values('spacecraft_dynamics', execution_noise_fraction=0.0)
@@ -46,12 +48,14 @@ def test_a_later_command_never_saves_more():
     assert saved[0].sum() > saved[2].sum()
 
 
-def test_upper_bound_agrees_with_a_ballistic_stop():
+@pytest.mark.parametrize('given', [1.0, 0.7])
+def test_upper_bound_agrees_with_a_ballistic_stop(given):
     """Lateral motion alone, orbit too slow to matter: outwards at v, the best stop needs
     v^2 / 2a, while the wall comes in by x' tan(alpha) per second. In the plane of y the
     least margin is where both move alike, at t = (v + x' tan(alpha)) / a."""
     slow = QUIET.with_values('/**', orbit__radius_m=1e9, thrust__x_m_s2=(1e-9, 2e-9, 3e-9))
-    y, v, a, narrowing = 1.2, 0.15, 0.02, 0.25*CONE.tan_alpha
+    slow = slow.with_values('spacecraft_dynamics', thrust_fraction=given)
+    y, v, a, narrowing = 1.2, 0.15, 0.02*given, 0.25*CONE.tan_alpha
     t = (v + narrowing)/a
     room = 0.3 + 28.0*CONE.tan_alpha
     expected = room - narrowing*t - (y + v*t - a*t*t/2.0)
@@ -174,3 +178,28 @@ def test_shown_beside_what_a_law_reached(tmp_path, capsys):
     with pytest.raises(SystemExit):
         main([str(tmp_path / 'absent.yaml')])
     assert 'cannot read scenario' in capsys.readouterr().err
+
+
+@pytest.mark.parametrize('changes', [
+    {'link_forward': {'loss_fraction': 0.1}}, {'link_forward': {'burst_fraction': 0.3}},
+    {'spacecraft_dynamics': {'thrust_fraction': 0.8}}])
+def test_links_and_craft_are_those_that_fly(changes):
+    """The commands that the ceiling lets through, and their thrust, are those of a flight."""
+    scenario = PAPER
+    for section, values in changes.items():
+        scenario = scenario.with_values(section, **values)
+    runs, up = range(5), scenario.part('legs').forward
+    drawn = _draw(scenario, runs)
+    flown = fly(scenario, list(runs), record=[TRUTH.name, ARRIVAL.name]).history
+    came = flown[ARRIVAL.name].received.T
+    steps = min(came.shape[1], 150)             # no run has ended
+    assert np.array_equal(came[:, up:steps], drawn.gets_up[:, up:steps])
+    accel = np.abs(flown[TRUTH.name].acceleration[1:steps + 1])
+    limit = [_thrust_limits(scenario, _of(drawn, [run]), 0, steps) for run in runs]
+    assert np.all(accel.transpose(1, 0, 2).reshape(len(runs), -1) <= np.array(limit) + 1e-15)
+
+
+def test_errors_that_last_for_a_burn_are_refused_in_a_line():
+    with pytest.raises(ValueError, match='execution_noise_per must be step .* got burn') as refused:
+        ceiling(PAPER.with_values('spacecraft_dynamics', execution_noise_per='burn'), range(2))
+    assert '\n' not in str(refused.value)

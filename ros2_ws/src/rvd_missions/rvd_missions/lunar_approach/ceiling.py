@@ -22,7 +22,9 @@ Method  No guidance law, pilot, filter or prediction is asked. Each run has its 
         open      neither was found.
         The ceiling lies between the share that docked and that share with the open ones.
 Limits  the programme moves by Clohessy and Wiltshire: margins less than `SLACK_M` outside are
-        not called refuted, which covers the difference to two bodies.
+        not called refuted, which covers the difference to two bodies. Errors of the thrust that
+        last for a burn depend on what was commanded before, so the programme has no bound for
+        them: such scenarios are refused.
 """
 
 import argparse
@@ -40,7 +42,7 @@ from rvd_dynamics.diagram.in_process import check, fly, judge_of
 from rvd_dynamics.diagram.judge import Verdict
 from rvd_dynamics.diagram.scenario import load, Scenario
 from rvd_dynamics.geometry.cone import signed_distance
-from rvd_dynamics.link.plan import draw_plan
+from rvd_dynamics.link.leg import LinkChance
 from rvd_dynamics.motion import cw
 from rvd_dynamics.world.plants.relative import TruthModel, TRUTH_MODELS
 from rvd_dynamics.world.settings import DynamicsParams
@@ -101,6 +103,11 @@ def ceiling(scenario: Scenario, runs: Sequence[int], first_step: int | None = No
     Returns
     -------
     Ceiling
+
+    Raises
+    ------
+    ValueError
+        If there are no runs, `first_step` is negative or errors of the thrust last for a burn.
     """
     if first_step is None:
         first_step = first_steps(scenario)['silent']
@@ -108,6 +115,9 @@ def ceiling(scenario: Scenario, runs: Sequence[int], first_step: int | None = No
         raise BadInput(f'first_step must not be negative, got {first_step}')
     if len(runs) == 0:
         raise BadInput('runs must be one or more, got none')
+    if _dynamics(scenario).execution_noise_per != 'step':
+        raise BadInput('spacecraft_dynamics: execution_noise_per must be step for a ceiling, got '
+                       f'{_dynamics(scenario).execution_noise_per}')
     parts = [_decide(scenario, runs[i:i + BATCH], first_step)
              for i in range(0, len(runs), BATCH)]
     return Ceiling(*(np.concatenate(part) for part in zip(*parts)))
@@ -140,9 +150,8 @@ def _draw(scenario: Scenario, runs: Sequence[int]) -> _World:
     run, up = scenario.run, scenario.part('legs').forward
     seed, steps = run.seed, run.last_step + 1
     gets_up = np.ones((len(runs), steps), dtype=bool)       # before `up`: sent before the start
-    for row, rng in zip(gets_up, streams.generators(seed, runs, 'link_forward')):
-        plan = draw_plan(scenario.settings('link_forward'), rng, steps, run.step_ns, up)
-        row[up:] = plan.intact_in_time[:steps - up]
+    link = LinkChance('link_forward', scenario.settings('link_forward'), up, run.step_ns)
+    gets_up[:, up:] = link.of_runs(seed, runs, steps)[:, :steps - up]
     return _World(_dynamics(scenario).start(scenario.part('start'),
                                             streams.start_normals_of_runs(seed, runs)),
                   streams.normals_of_runs(seed, runs, 'execution', steps, 3), gets_up)
@@ -166,14 +175,15 @@ def _of(world: _World, rows: Sequence[int]) -> _World:
 def _fly_home(scenario: Scenario, world: _World, first_step: int,
               way: tuple[float, float, float]) -> Verdict:
     """Fly with the true state in hand, one of `WAYS_HOME`, and judge."""
-    model, noise = _model(scenario), _dynamics(scenario).execution_noise_fraction
+    model, craft = _model(scenario), _dynamics(scenario)
     form, judge = scenario.part('form'), judge_of(scenario, (len(world.start),))
     state = world.start
     judge.start(state)
     for step in range(scenario.run.last_step):
         levels = form.quantise(_towards_axis(state, scenario.part('orbit').mean_motion, way))
         levels[~world.gets_up[:, step] | (step < first_step)] = 0
-        accel = execute(form.effect(levels), world.execution[:, step], noise)
+        accel = execute(craft.thrust_fraction*form.effect(levels), world.execution[:, step],
+                        craft.execution_noise_fraction)
         state = model.advance(state, accel)
         judge.advance(step + 1, state, accel)
         if judge.ended.all():
@@ -229,7 +239,7 @@ def _coast(scenario: Scenario, world: _World, steps: int) -> Array:
 def _before_docking(scenario: Scenario, world: _World, first_step: int) -> int:
     """Return the steps of the programme: none in which full thrust could reach the plane."""
     state = _coast(scenario, world, first_step)
-    fastest = 1.1*scenario.part('thrust').x_m_s2[-1]
+    fastest = 1.1*_dynamics(scenario).thrust_fraction*scenario.part('thrust').x_m_s2[-1]
     time = np.arange(1, HORIZON_STEPS + 1) * scenario.run.step_s
     reach = state[0] + state[3]*time + fastest*time*time/2.0
     return int(np.sum(np.maximum.accumulate(reach) < 0.0))
@@ -238,10 +248,11 @@ def _before_docking(scenario: Scenario, world: _World, first_step: int) -> int:
 def _thrust_limits(scenario: Scenario, world: _World, first_step: int, steps: int
                    ) -> Array:
     """Return the largest thrust (3 steps,) [m/s^2] that can be executed; 0 where lost."""
-    thrust, noise = scenario.part('thrust'), _dynamics(scenario).execution_noise_fraction
+    thrust, craft = scenario.part('thrust'), _dynamics(scenario)
     window = slice(first_step, first_step + steps)
-    largest = np.array([thrust.x_m_s2[-1], thrust.lateral_m_s2[-1], thrust.lateral_m_s2[-1]])
-    limit = np.abs(largest * (1.0 + noise*world.execution[0, window]))
+    largest = craft.thrust_fraction*np.array(
+        [thrust.x_m_s2[-1], thrust.lateral_m_s2[-1], thrust.lateral_m_s2[-1]])
+    limit = np.abs(largest * (1.0 + craft.execution_noise_fraction*world.execution[0, window]))
     return (limit * world.gets_up[0, window, None]).ravel()
 
 
