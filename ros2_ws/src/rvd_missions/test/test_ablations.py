@@ -153,12 +153,14 @@ def test_lost_commands_seem_to_help_because_the_predictor_overstates_them():
     """
     Fails if pulses that are weaker by a tenth help by themselves, as was said once.
 
-    4,000 pairs of runs resolve about .01; the bounds are 95 % intervals, with one seed.
+    4,000 pairs of runs resolve about .01; the bounds are 95 % intervals. The last comparison was
+    chosen after the results of another seed were known; the seed here was flown once, afterwards.
     """
     runs = range(4000)
 
     def success(**changes):
-        return fly(paper_with(**changes), list(runs)).verdict.success
+        flight = paper_with(**changes).with_values('/**', seed=1423)
+        return fly(flight, list(runs)).verdict.success
 
     def difference(a, b):
         return stats.newcombe_paired(stats.pair(a, b))
