@@ -4,7 +4,7 @@ The figures of a campaign of approaches: where runs dock, fly and fail, and what
 They are drawn from the result table; tracks are flown again for the runs that are shown.
 """
 
-from math import ceil
+from math import ceil, sqrt
 from textwrap import fill
 from typing import Any, TYPE_CHECKING
 
@@ -60,7 +60,32 @@ def landing(results: Any) -> Drawn:
     return figure, (
         'Where successful runs met the docking plane, seen along the direction of flight: at most '
         f'the first {LANDED} of each condition. Dashed: the limit. The percentages are of all '
-        'successful runs.')
+        'successful runs.' + _skew(results))
+
+
+def _skew(results: Any) -> str:
+    """Return score tests of landings at y > 0: against a half, and between compared conditions."""
+    counts = {name: (int((table['y_m'][table['success']] > 0.0).sum()),
+                     int(table['success'].sum())) for name, table in results.tables.items()}
+    halves = [f'{worded(name)} {(upper - runs/2.0)/sqrt(runs/4.0):+.1f}'
+              for name, (upper, runs) in counts.items() if runs]
+    pairs = [f'{worded(a)} minus {worded(b)} {skew_z(counts[a], counts[b]):+.1f}'
+             for a, b in results.campaign.compare if counts[a][1] and counts[b][1]]
+    return ''.join(f' {words}: {", ".join(said)}.' for words, said in (
+        ('z of the share at y > 0 against a half', halves),
+        ('z of the difference of two such shares', pairs)) if said)
+
+
+def skew_z(a: tuple[int, int], b: tuple[int, int]) -> float:
+    """
+    Return the score statistic of the difference of two proportions (successes, runs).
+
+    With the pooled variance of independent samples: conditions that share their draws scatter
+    together, so that it is too small rather than too large. NaN: all are alike.
+    """
+    pooled = (a[0] + b[0])/(a[1] + b[1])
+    variance = pooled*(1.0 - pooled)*(1.0/a[1] + 1.0/b[1])
+    return (a[0]/a[1] - b[0]/b[1])/sqrt(variance) if variance > 0.0 else float('nan')
 
 
 def _landed(name: str, table: dict[str, NDArray], width: int) -> str:
