@@ -7,9 +7,10 @@ from pathlib import Path
 
 import pytest
 
+from rvd_campaign.campaign.checked import from_dict, MAX_RUNS
 from rvd_campaign.campaign.engine import identity
 from rvd_campaign.campaign.spec import (
-    CampaignError, from_dict, load_campaign, MAX_CONDITIONS, MAX_RUNS, parse_campaign)
+    CampaignError, load_campaign, MAX_CONDITIONS, parse_campaign)
 from rvd_campaign.catalogue import entries
 from rvd_groundstation.operators.pilot import PILOTS
 

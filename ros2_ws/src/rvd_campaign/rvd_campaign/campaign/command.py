@@ -11,10 +11,11 @@ from dataclasses import replace
 from pathlib import Path
 
 from rvd_campaign.campaign import engine
+from rvd_campaign.campaign.checked import Campaign, check_runs
 from rvd_campaign.campaign.engine import KEPT, Workers
 from rvd_campaign.campaign.progress import clock, Progress
-from rvd_campaign.campaign.spec import Campaign, check_runs, load_campaign
-from rvd_campaign.campaign.summary import finish, in_words, SUMMARY
+from rvd_campaign.campaign.spec import load_campaign
+from rvd_campaign.campaign.summary import CONFIRMED, finish, in_words, SUMMARY
 from rvd_campaign.exits import CannotRun, EXIT_DONE, EXIT_INTERRUPTED
 from rvd_campaign.flight.run_folder import new_folder
 from rvd_campaign.interrupts import all_like_ctrl_c
@@ -31,11 +32,19 @@ def main(args: argparse.Namespace) -> int:
     all_like_ctrl_c()
     print(f'{campaign.name}: {len(campaign.conditions)} conditions of {campaign.runs:,} runs, '
           f'seed {campaign.seed}, {folder}', flush=True)
+    again = campaign.again
     progress = Progress()
     try:
         with engine.sole_writer(folder), warnings.catch_warnings():
             warnings.simplefilter('ignore')     # of worker pools that are ended on purpose
             engine.fly_campaign(campaign, folder, workers, progress)
+            if again:
+                progress = Progress()
+                print(f'again with seed {again.seed}: {again.runs:,} runs of each condition',
+                      flush=True)
+                beside = _beside(again, folder)
+                with engine.sole_writer(beside):
+                    engine.fly_campaign(again, beside, workers, progress)
     except KeyboardInterrupt:
         _stay_dead()
         progress.end()
@@ -47,6 +56,22 @@ def main(args: argparse.Namespace) -> int:
         rate = progress.flown / progress.elapsed_s
         print(f'{progress.flown:,} runs in {clock(progress.elapsed_s)}, {rate:,.0f} runs/s')
     return EXIT_DONE
+
+
+def _beside(again: Campaign, folder: Path) -> Path:
+    """Return the folder of the confirmation, which goes on where it stopped."""
+    beside = folder / CONFIRMED
+    try:
+        if (beside / KEPT).exists():
+            _, kept = engine.open_folder(beside)
+            engine.check_same(beside, kept, again)
+            engine.keep(again, beside)
+        else:
+            beside.mkdir(exist_ok=True)
+            engine.start(again, beside)
+    except OSError as error:
+        raise engine.full_disk(beside, error) from None
+    return beside
 
 
 def _finish(campaign: Campaign, folder: Path) -> None:
@@ -87,8 +112,8 @@ def _new(args: argparse.Namespace) -> tuple[Campaign, Path]:
     if args.out is not None and (Path(args.out) / KEPT).exists():
         raise CannotRun(f'--out {args.out} holds a campaign already: nothing is overwritten; '
                         f'go on with it by --resume {args.out}, or give another folder')
-    engine.check_space(_standing(Path(args.out or 'runs')),
-                       campaign.runs * len(campaign.conditions))
+    runs = campaign.runs + (campaign.confirm.runs if campaign.confirm else 0)
+    engine.check_space(_standing(Path(args.out or 'runs')), runs * len(campaign.conditions))
     folder = new_folder(args.out, campaign.name)
     try:
         engine.start(campaign, folder)

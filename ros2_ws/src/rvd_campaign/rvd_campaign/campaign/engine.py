@@ -35,10 +35,10 @@ from typing import Any
 import joblib
 
 from rvd_campaign.campaign import results
+from rvd_campaign.campaign.checked import Campaign, CampaignError, from_dict, KEPT_SHAPE
 from rvd_campaign.campaign.progress import Progress
 from rvd_campaign.campaign.results import Stretch, Table
 from rvd_campaign.campaign.software import code_hash, MATTERS, software, versions
-from rvd_campaign.campaign.spec import Campaign, CampaignError, from_dict, KEPT_SHAPE
 from rvd_campaign.campaign.standstill import Standstill, STOPPED_S
 from rvd_dynamics import lifeline
 from rvd_dynamics.bad_input import BadInput

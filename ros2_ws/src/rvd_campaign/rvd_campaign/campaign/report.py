@@ -10,9 +10,9 @@ from jinja2 import TemplateError
 import pyarrow
 
 from rvd_campaign.campaign import results, stats
+from rvd_campaign.campaign.checked import CampaignError
 from rvd_campaign.campaign.engine import open_folder, RESULTS
 from rvd_campaign.campaign.figures import needed, Results, shown_by
-from rvd_campaign.campaign.spec import CampaignError
 from rvd_campaign.campaign.summary import DURATION, is_summary, SUMMARY
 from rvd_campaign.report.page import Drawn, render
 from rvd_dynamics.bad_input import BadInput
@@ -99,7 +99,7 @@ def page(made: Results) -> str:
         conditions=_conditions(summary, campaign.reference), differences=_differences(summary),
         of_all=[m['words'] for m in _tabled(summary).values() if m.get('of_all')],
         measured=_measured(summary),
-        replicates=_replicates(summary),
+        replicates=_replicates(summary), people=_people(summary), again=_again(summary),
         figures=[_figure(name, figure, made) for name, figure in shown_by(campaign).items()],
         endings=_endings(summary, averaged), averaged=bool(averaged), decided=_decided(summary),
         name=campaign.name, runs=campaign.runs, first=campaign.conditions[0].name,
@@ -162,6 +162,35 @@ def _differences(summary: dict[str, Any]) -> Table:
                   'only the first : only the second', 'p'], rows)
 
 
+def _people(summary: dict[str, Any]) -> Table:
+    """Return how conditions stand to people's data; no rows where no margin is stated."""
+    rows = [('', [f'{worded(p["condition"])} minus {p["reference"]}', f'{p["difference"]:+.4f}',
+                  f'{p["margin"]:g}', f'{p["design_effect"]:g}', _p(p['p_not_inferior']),
+                  _p(p['p_equivalent'])]) for p in summary.get('people', ())]
+    return Table(['success rates', 'difference', 'margin', 'design effect', 'p, not inferior',
+                  'p, equivalent'], rows)
+
+
+def _again(summary: dict[str, Any]) -> dict[str, Any] | None:
+    """Return what was flown with another seed, beside the first."""
+    made = summary.get('confirmation')
+    if made is None:
+        return None
+
+    def both(value: float, interval: list[float], sign: str) -> Cell:
+        return f'{value:{sign}.4f}', f'{interval[0]:{sign}.4f} \u2026 {interval[1]:{sign}.4f}'
+    first = {(d['a'], d['b']): d for d in summary['differences']}
+    rates = {c['name']: c for c in summary['conditions']}
+    rows = [('', [_minus(d), *(both(of['difference'], of['paired95'], '+')
+                               for of in (first[d['a'], d['b']], d)), _p(d['p'])])
+            for d in made['differences'] if (d['a'], d['b']) in first]
+    rows += [('', [worded(c['name']), *(both(of['success_rate'], of['wilson95'], '')
+                                        for of in (rates[c['name']], c)), ''])
+             for c in made['conditions'] if c['name'] in rates]
+    return {'heads': ['', f'seed {summary["seed"]}', f'seed {made["seed"]}', 'p'], 'rows': rows,
+            'seed': made['seed'], 'runs': made['runs'], 'result_hash': made['result_hash']}
+
+
 def _measured(summary: dict[str, Any]) -> Table:
     """Return the paired differences of measures; no rows where a folder is older than they are."""
     measures = {DURATION: TIME, **_tabled(summary)}
@@ -199,19 +228,25 @@ def _replicates(summary: dict[str, Any]) -> dict[str, Any] | None:
     if not made or made['count'] < 2:
         return None
     rows = [('', [worded(name), f'{s["mean"]:.3f}', f'{s["deviation"]:.3f}',
-                  f'{s["middle95"][0]:.2f} {DASH} {s["middle95"][1]:.2f}'])
+                  f'{s["middle95"][0]:.2f} {DASH} {s["middle95"][1]:.2f}',
+                  _rounded(made.get('design_effect', {}).get(name))])
             for name, s in made['success_rate'].items()]
     for d in made['differences']:
         for kind, words in (('same_draws', 'same draws'), ('other_draws', 'other draws')):
             s = d[kind]
             rows.append(('', [f'{_minus(d)}, {words}', f'{s["mean"]:+.3f}',
                               f'{s["deviation"]:.3f}',
-                              f'{s["middle95"][0]:+.2f} {DASH} {s["middle95"][1]:+.2f}']))
+                              f'{s["middle95"][0]:+.2f} {DASH} {s["middle95"][1]:+.2f}', '']))
     return {'title': f'{made["count"]:,} experiments with {made["operators"]} pilots and '
                      f'{made["runs"]} runs each',
-            'heads': ['', 'mean', 'standard deviation', 'middle 95 %'], 'rows': rows,
+            'heads': ['', 'mean', 'standard deviation', 'middle 95 %', 'design effect'],
+            'rows': rows,
             'differences': [{**d, 'a': worded(d['a']), 'b': worded(d['b'])}
                             for d in made['differences']]}
+
+
+def _rounded(value: float | None) -> str:
+    return DASH if value is None else f'{value:.2f}'
 
 
 def _endings(summary: dict[str, Any], averaged: dict[str, dict[str, Any]]) -> Table:

@@ -11,6 +11,7 @@ The campaign file: which conditions are flown, how often, and with which seed.
     replicates: {operators: 10, runs: 10}
     fitted: {NAME: WORDS}       # conditions whose result was fitted, and to what
     reference: {WORDS: {condition: NAME, runs: 100, successes: 76, means: {...}}}
+    confirm: {seed: 2, runs: 10000}     # see `claims`, as for more of a reference
     figures: [NAME], notes: [WORDS]
 
 CHANGES maps a section of the scenario to its keys, and knows short words: `loop_delay_s`, where
@@ -23,106 +24,29 @@ ones win: set, condition, axes in their order. Every condition is built before t
 import itertools
 import os
 import re
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 from rvd_campaign import catalogue
+from rvd_campaign.campaign.checked import (
+    Campaign, CampaignError, check_runs, Condition, MAX_CONDITIONS)
+from rvd_campaign.campaign.claims import Confirmation, confirmation, reference
 from rvd_campaign.campaign.grid import Cells, legs
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram import in_process
 from rvd_dynamics.diagram.build import loaded
 from rvd_dynamics.diagram.mission import Mission
 from rvd_dynamics.diagram.scenario import (
-    flat_keys, load, nearest, parse, Scenario, ScenarioError, SHARED)
+    flat_keys, load, nearest, Scenario, ScenarioError, SHARED)
 from rvd_dynamics.given import mapping_of, text_of
 
-MAX_CONDITIONS = 1000
-MAX_RUNS = 10_000_000           # of all conditions; a table of 2 GB
 KEYS = ('scenario', 'seed', 'runs', 'set', 'conditions', 'grid', 'compare', 'replicates', 'fitted',
-        'reference', 'figures', 'notes')
+        'reference', 'confirm', 'figures', 'notes')
 LOOP_DELAY = 'loop_delay_s'             # the short word for both delays of the link
 DELAYS = ('forward_delay_s', 'back_delay_s')
 OF_THE_CAMPAIGN = ('mission', 'seed', 'run', 'nodes', 'processes')  # no condition may change them
 NAME = re.compile(r'[A-Za-z0-9][\w.+ -]*')
-
-
-KEPT_SHAPE = {                  # of what `Campaign.as_dict` wrote
-    'name': str, 'title': str, 'seed': int, 'runs': int, 'replicates': (list, type(None)),
-    'compare': [[str, 2]], 'fitted': {'': str}, 'figures': [str], 'notes': [str], 'text': str,
-    'reference': {'': {'runs': int, 'successes': int, 'means?': {'': (int, float)}}},
-    'conditions': [{'name': str, 'group': str, 'at': dict, 'scenario': str}]}
-
-
-class CampaignError(BadInput):
-    """A campaign that cannot be flown; the text is one line that names the value."""
-
-
-@dataclass(frozen=True)
-class Condition:
-    """One cell of a campaign."""
-
-    name: str
-    scenario: Scenario                  # with the seed of the campaign
-    at: dict[str, Any]                  # the place in the grid: axis and value
-    group: str                          # the name without the grid
-
-
-@dataclass(frozen=True)
-class Campaign:
-    """A checked campaign."""
-
-    name: str
-    title: str
-    seed: int
-    runs: int
-    conditions: tuple[Condition, ...]
-    replicates: tuple[int, int] | None = None           # operators, runs of each
-    compare: tuple[tuple[str, str], ...] = ()
-    fitted: dict[str, str] = field(default_factory=dict)
-    reference: dict[str, dict] = field(default_factory=dict)
-    figures: tuple[str, ...] = ()
-    notes: tuple[str, ...] = ()
-    text: str = field(default='', repr=False)           # the file as it was written
-
-    def __post_init__(self) -> None:
-        check_runs(self.runs, len(self.conditions))
-
-    @property
-    def mission(self) -> Mission:
-        """The mission that is flown, the same in all conditions."""
-        return self.conditions[0].scenario.mission
-
-    def condition(self, name: str) -> Condition:
-        """Return a condition by its name, or refuse it with the nearest one."""
-        for condition in self.conditions:
-            if condition.name == name:
-                return condition
-        raise CampaignError(f'campaign {self.name} has no condition {name!r}'
-                            + nearest(name, [c.name for c in self.conditions]))
-
-    def as_dict(self) -> dict[str, Any]:
-        """Return everything that a folder keeps, every default resolved."""
-        return {
-            'name': self.name, 'title': self.title, 'seed': self.seed, 'runs': self.runs,
-            'replicates': self.replicates, 'compare': self.compare, 'fitted': self.fitted,
-            'reference': self.reference, 'figures': self.figures, 'notes': self.notes,
-            'text': self.text,
-            'conditions': [{'name': c.name, 'group': c.group, 'at': c.at,
-                            'scenario': c.scenario.dump()} for c in self.conditions]}
-
-
-def from_dict(kept: Mapping[str, Any]) -> Campaign:
-    """Return the campaign that `Campaign.as_dict` wrote."""
-    conditions = tuple(
-        Condition(c['name'], parse(c['scenario'], c['name']), c['at'], c['group'])
-        for c in kept['conditions'])
-    return Campaign(
-        kept['name'], kept['title'], kept['seed'], kept['runs'], conditions,
-        tuple(kept['replicates']) if kept['replicates'] else None,
-        tuple(tuple(pair) for pair in kept['compare']), kept['fitted'], kept['reference'],
-        tuple(kept['figures']), tuple(kept['notes']), kept['text'])
 
 
 def load_campaign(name: str, runs: int | None = None) -> Campaign:
@@ -142,15 +66,6 @@ def parse_campaign(text: str, name: str, folder: Path = Path(), runs: int | None
                    ) -> Campaign:
     """Check the text of a campaign file that lies in `folder`; errors as `load_campaign`."""
     return _Reader(name, folder).read(text, runs)
-
-
-def check_runs(runs: Any, conditions: int) -> None:
-    """Refuse an impossible number of runs per condition."""
-    if isinstance(runs, bool) or not isinstance(runs, int) or runs < 1:
-        raise CampaignError(f'runs must be a whole number, at least 1, got {runs}')
-    if runs * conditions > MAX_RUNS:
-        raise CampaignError(f'{conditions} conditions of {runs:,} runs are {runs*conditions:,} '
-                            f'runs; the limit is {MAX_RUNS:,}')
 
 
 class _Reader:
@@ -174,7 +89,7 @@ class _Reader:
         scenario = self._scenario(tree.get('scenario', 'paper'), seed)
         groups = self._groups(tree.get('conditions', {'all': None}))
         cells = self._cells(tree.get('grid', {}), len(groups))
-        runs = tree.get('runs', 1000) if runs is None else runs
+        asked, runs = runs, tree.get('runs', 1000) if runs is None else runs
         try:
             check_runs(runs, len(groups)*cells.count)
         except CampaignError as error:
@@ -189,7 +104,7 @@ class _Reader:
             self._texts('fitted', tree.get('fitted'), names),
             self._reference(tree.get('reference'), names),
             self._figures(base.mission, tree.get('figures', [])),
-            self._notes(tree.get('notes', [])), text)
+            self._notes(tree.get('notes', [])), text, self._confirm(tree, runs, asked, conditions))
 
     def _refuse(self, words: str) -> None:
         raise CampaignError(f'{self._what}: {words}')
@@ -349,11 +264,25 @@ class _Reader:
         if rows is None:
             return {}
         for label, row in rows.items() if isinstance(rows, dict) else [('', None)]:
-            if not isinstance(row, dict) or not {'runs', 'successes'} <= set(row):
-                self._refuse(f'reference {label} must have runs and successes')
+            try:
+                reference(label, row)
+            except BadInput as error:
+                self._refuse(str(error))
             if 'condition' in row:
                 self._known('reference', row['condition'], names)
         return {str(label): row for label, row in rows.items()}
+
+    def _confirm(self, tree: dict, runs: int, asked: int | None, conditions: tuple
+                 ) -> Confirmation | None:
+        try:
+            found = confirmation(tree.get('confirm'), tree.get('seed', 0), runs, asked)
+            if found:
+                check_runs(found.runs, len(conditions))
+        except BadInput as error:
+            self._refuse(str(error))
+        if found:
+            self._replicates(tree.get('replicates'), found.runs, conditions)
+        return found
 
     def _figures(self, mission: Mission, wanted: Any) -> tuple[str, ...]:
         from rvd_campaign.campaign.figures import figures_of

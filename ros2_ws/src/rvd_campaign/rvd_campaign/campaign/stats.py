@@ -99,6 +99,19 @@ def clustered(counts: Sequence[tuple[int, int]]) -> Interval | None:
                     float(beta.ppf(0.975, good + 1, bad)) if bad > 0.0 else 1.0)
 
 
+def design_effect(rates: ArrayLike, runs: int) -> float:
+    """
+    Return by how much success rates of experiments scatter more than independent runs would.
+
+    The variance of `rates`, of `runs` runs each, over that of a binomial (Kish, Survey Sampling,
+    1965); NaN where all runs end alike.
+    """
+    rates = np.asarray(rates, dtype=float)
+    mean = rates.mean()
+    independent = mean*(1.0 - mean)/runs
+    return float(rates.var(ddof=1)/independent) if independent > 0.0 else float('nan')
+
+
 def mean_interval(values: ArrayLike) -> Interval:
     """Return Student's interval of the mean of two or more values."""
     return mean_difference(values, np.zeros(len(values)))[1]

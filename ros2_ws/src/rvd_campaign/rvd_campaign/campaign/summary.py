@@ -10,9 +10,11 @@ from typing import Any
 import numpy as np
 
 from rvd_campaign.campaign import results, stats
+from rvd_campaign.campaign.checked import Campaign, Condition
+from rvd_campaign.campaign.claims import effective
 from rvd_campaign.campaign.engine import condition_tables, full_disk, identity, PARTS, RESULTS
+from rvd_campaign.campaign.equivalence import equivalence
 from rvd_campaign.campaign.results import Table
-from rvd_campaign.campaign.spec import Campaign, Condition
 from rvd_campaign.flight.verdict import unknown_as_none
 from rvd_dynamics.diagram.build import loaded
 from rvd_dynamics.diagram.in_process import judge_of
@@ -20,6 +22,7 @@ from rvd_dynamics.diagram.judge import bare_name, declared
 from rvd_dynamics.given import has_shape
 
 SUMMARY = 'summary.json'
+CONFIRMED = 'confirmation'              # folder of the runs with the other seed
 DURATION = 'duration_s'                 # a column of every table, though no measure of a judge
 HEAD_WIDTH = 8                          # of a measure's name above its column
 
@@ -60,6 +63,11 @@ def finish(campaign: Campaign, folder: Path) -> dict[str, Any]:
         size = campaign.replicates[0] * campaign.replicates[1]
         by_replicate = {name: s.reshape(-1, size).mean(axis=1) for name, s in success.items()}
         summary['replicates'] = of_replicates(campaign, by_replicate)
+    people = of_people(campaign, summary['conditions'])
+    if people:
+        summary['people'] = people
+    if campaign.again:
+        summary['confirmation'] = of_confirmation(campaign.again, folder / CONFIRMED)
     return unknown_as_none(summary)
 
 
@@ -86,8 +94,17 @@ SHAPE: dict[str, Any] = {               # of what the report reads
         'a': str, 'b': str, 'difference': REAL, 'paired95': [REAL, 2],
         'unpaired95': [REAL, 2], 'only_a': int, 'only_b': int, 'p': REAL, 'both?': int,
         'measures?': {'': {'difference': NUMBER, 'paired95': [NUMBER, 2]}}}],
+    'people?': [{'reference': str, 'condition': str, 'margin': REAL, 'design_effect': REAL,
+                 'difference': REAL, 'p_not_inferior': REAL, 'p_equivalent': REAL}],
+    'confirmation?': {
+        'seed': int, 'runs': int, 'result_hash': str,
+        'conditions': [{'name': str, 'runs': int, 'successes': int, 'success_rate': REAL,
+                        'wilson95': [REAL, 2]}],
+        'differences': [{'a': str, 'b': str, 'difference': REAL, 'paired95': [REAL, 2],
+                         'p': REAL}]},
     'replicates?': {
-        'count': int, 'operators': int, 'runs': int, 'success_rate': {'': SPREAD},
+        'design_effect?': BY_NAME, 'count': int, 'operators': int, 'runs': int,
+        'success_rate': {'': SPREAD},
         'differences': [{'a': str, 'b': str, 'same_draws': SPREAD, 'other_draws': SPREAD,
                          'a_not_better': NUMBER}]}}
 
@@ -179,6 +196,8 @@ def of_replicates(campaign: Campaign, rates: dict[str, np.ndarray]) -> dict[str,
 
     operators, runs = campaign.replicates
     return {
+        'design_effect': {name: stats.design_effect(values, operators*runs)
+                          for name, values in rates.items() if len(values) > 1},
         'operators': operators, 'runs': runs, 'count': len(next(iter(rates.values()))),
         'success_rate': {name: spread(values) for name, values in rates.items()},
         'differences': [
@@ -186,6 +205,29 @@ def of_replicates(campaign: Campaign, rates: dict[str, np.ndarray]) -> dict[str,
              'other_draws': spread(rates[a] - np.roll(rates[b], 1)),
              'a_not_better': float((rates[a] <= np.roll(rates[b], 1)).mean())}
             for a, b in campaign.compare]}
+
+
+def of_people(campaign: Campaign, conditions: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Return how conditions stand to people's data, within the margins that are stated."""
+    rows = {c['name']: c for c in conditions}
+    return [
+        {'reference': label, 'condition': row['condition'],
+         'design_effect': float(row.get('design_effect', 1.0)),
+         **equivalence(rows[row['condition']]['successes'], rows[row['condition']]['runs'],
+                       *effective(row), row['margin'])._asdict()}
+        for label, row in campaign.reference.items() if 'margin' in row]
+
+
+def of_confirmation(again: Campaign, folder: Path) -> dict[str, Any]:
+    """Return what the same conditions say with another seed."""
+    whole = finish(again, folder)
+
+    def picked(rows: list[dict[str, Any]], *keys: str) -> list[dict[str, Any]]:
+        return [{key: row[key] for key in keys} for row in rows]
+    return {'seed': again.seed, 'runs': again.runs, 'result_hash': whole['result_hash'],
+            'conditions': picked(whole['conditions'], 'name', 'runs', 'successes', 'success_rate',
+                                 'wilson95'),
+            'differences': picked(whole['differences'], 'a', 'b', 'difference', 'paired95', 'p')}
 
 
 def notes_of_the_mission(campaign: Campaign) -> list[str]:
@@ -229,10 +271,25 @@ def in_words(summary: dict[str, Any]) -> str:
                 f'[{low:.4f}, {high:.4f}]')
         lines.append('  '.join([left, *(f'{row[name]:>{widths[name]}}' for name in row)]) + mark)
     lines += [f'* {name}: {words}' for name, words in summary['fitted'].items()]
-    for d in summary['differences'][:20]:
-        low, high = d['paired95']
-        lines.append(f'{d["a"]} - {d["b"]}: {d["difference"]:+.4f} [{low:+.4f}, {high:+.4f}]')
+    lines += _compared(summary['differences'])
+    lines += [f'{name}: design effect {effect:.2f}' for name, effect in
+              summary.get('replicates', {}).get('design_effect', {}).items() if effect is not None]
+    lines += [f'{p["condition"]} against {p["reference"]}, margin {p["margin"]:g}: '
+              f'{p["difference"]:+.4f}, p {p["p_not_inferior"]:.2g} not inferior, '
+              f'{p["p_equivalent"]:.2g} equivalent' for p in summary.get('people', ())]
+    again = summary.get('confirmation')
+    if again:
+        lines.append(f'again, seed {again["seed"]}, {again["runs"]} runs:')
+        lines += [f'{c["name"]:<{width}}  {c["runs"]:>7}  {c["success_rate"]:.4f}   '
+                  f'[{c["wilson95"][0]:.4f}, {c["wilson95"][1]:.4f}]' for c in again['conditions']]
+        lines += [*_compared(again['differences']),
+                  f'again: result hash {again["result_hash"]}']
     return '\n'.join(lines)
+
+
+def _compared(differences: list[dict[str, Any]]) -> list[str]:
+    return [f'{d["a"]} - {d["b"]}: {d["difference"]:+.4f} '
+            f'[{d["paired95"][0]:+.4f}, {d["paired95"][1]:+.4f}]' for d in differences[:20]]
 
 
 def _cell(value: float | None, digits: int) -> str:
