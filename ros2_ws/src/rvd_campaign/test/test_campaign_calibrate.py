@@ -15,7 +15,8 @@ from rvd_campaign.campaign.calibrate import (
     Bench, combinations, fit_success, Look, numbers, root, seen, Sensitivity, TARGET)
 from rvd_campaign.exits import CannotRun
 from rvd_dynamics.diagram.scenario import load, parse, Scenario
-from rvd_groundstation.operators.pilot import PilotParams, PILOTS
+from rvd_groundstation.operators.pilot import PERSONS
+from rvd_groundstation.operators.pulses import Pulses
 
 
 class FakeBench:
@@ -39,7 +40,7 @@ class FakeBench:
 @pytest.mark.parametrize('start', [0.6, 1.635, 5.0])
 def test_fit_finds_the_gain_that_gives_the_success_rate(start):
     bench = FakeBench()
-    pilot, look = fit_success(bench, PilotParams(skill_gain=start), 'skill_gain')
+    pilot, look = fit_success(bench, Pulses(skill_gain=start), 'skill_gain')
     assert pilot.skill_gain == pytest.approx(-6.0*log(0.76), abs=2e-3)
     assert look.success.mean() == pytest.approx(TARGET[0], abs=2e-4)
     assert bench.looks < 20
@@ -47,7 +48,7 @@ def test_fit_finds_the_gain_that_gives_the_success_rate(start):
 
 def test_fit_refuses_what_no_value_reaches():
     with pytest.raises(ValueError, match='no skill_gain between 0.0025 and 0.04 gives'):
-        fit_success(FakeBench(), PilotParams(skill_gain=0.01), 'skill_gain')
+        fit_success(FakeBench(), Pulses(skill_gain=0.01), 'skill_gain')
 
 
 @pytest.mark.parametrize('f, expected', [
@@ -62,10 +63,9 @@ def test_root_says_when_there_is_none():
 
 
 def test_numbers_that_do_nothing_or_cannot_move_are_left_out():
-    assert 'no_display_trust' not in numbers(PILOTS['A'])
-    assert 'display_trust' not in numbers(PILOTS['B'])
-    assert 'skill_gain' in numbers(PILOTS['A'])
-    assert 'runs_per_operator' not in numbers(PILOTS['A'])
+    assert 'no_display_trust' not in numbers(PERSONS['A'])
+    assert 'display_trust' not in numbers(PERSONS['B'])
+    assert 'skill_gain' in numbers(PERSONS['A'])
 
 
 def test_combinations_count_what_can_be_seen():
@@ -96,7 +96,7 @@ def test_only_manual_flights_are_flown():
     parser_args = type('Args', (), {
         'runs': 100, 'workers': 1, 'scenario': 'paper', 'seed': 3, 'pilot': 'A', 'free': None})()
     pilot, free, scenario = calibrate._asked(parser_args)
-    assert (pilot, free) == (PILOTS['A'], ['skill_gain'])
+    assert (pilot, free) == (PERSONS['A'], ['skill_gain'])
     assert scenario.part('operation').mode == 'manual' and scenario.run.seed == 3
 
 
@@ -114,7 +114,7 @@ def test_bench_flies_the_same_runs_for_every_pilot():
         '/**', mode='manual', seed=3)
     with joblib.Parallel(n_jobs=1) as pool:
         bench = Bench(scenario, 12, pool)
-        a, b, c = bench.look(PILOTS['A'], PILOTS['C'], PILOTS['A'])
+        a, b, c = bench.look(PERSONS['A'], PERSONS['C'], PERSONS['A'])
     for mine, again in zip(a, c):
         np.testing.assert_array_equal(mine, again)
     assert not np.array_equal(a.values[0], b.values[0])
@@ -128,7 +128,7 @@ def test_what_is_fitted_is_condition_1_of_the_paper():
 
 def test_pilot_file_is_a_section_of_a_scenario():
     args = type('Args', (), {'pilot': 'A', 'runs': 100, 'scenario': 'paper', 'seed': 3})()
-    pilot = PilotParams(skill_gain=1e-05, display=False, skill_spread=0.123456789012345)
+    pilot = Pulses(skill_gain=1e-05, display=False, skill_spread=0.123456789012345)
     text = calibrate.pilot_file(pilot, args, ['skill_gain'], ['what was found'])
-    assert parse(text, 'mine').settings('operator_model') == pilot
+    assert parse(text, 'mine').settings('operator_model').selected == pilot
     assert text.startswith('# Pilot A, skill_gain fitted') and '# what was found' in text

@@ -12,7 +12,7 @@ from rvd_campaign.campaign.engine import identity
 from rvd_campaign.campaign.spec import (
     CampaignError, load_campaign, MAX_CONDITIONS, parse_campaign)
 from rvd_campaign.catalogue import entries
-from rvd_groundstation.operators.pilot import PILOTS
+from rvd_groundstation.operators.pilot import PERSONS
 
 CAMPAIGNS = Path(__file__).resolve().parents[4] / 'campaigns'
 SHIPPED = sorted(file.stem for file in CAMPAIGNS.glob('*.yaml'))
@@ -70,7 +70,7 @@ conditions:
     auto_controller: {law: corridor_apf, corridor_apf: {lambda_1_m3_s2: 3e-4}}
     command_blender: {eq25: {eta: 0.6}}
 ''', 'x').conditions[0].scenario
-    assert made.settings('operator_model').skill_gain == PILOTS['C'].skill_gain
+    assert made.settings('operator_model').skill_gain == PERSONS['C'].skill_gain
     assert made.settings('operator_model').display is False
     assert made.part('law').lambda_1_m3_s2 == 3e-4
 
@@ -79,7 +79,7 @@ def test_short_words_come_before_sections_whatever_their_order():
     made = parse_campaign(
         'conditions: {x: {operator_model: {skill_gain: 2.5}, pilot: C}}', 'x')
     pilot = made.conditions[0].scenario.settings('operator_model')
-    assert (pilot.skill_gain, pilot.skill_spread) == (2.5, PILOTS['C'].skill_spread)
+    assert (pilot.skill_gain, pilot.skill_spread) == (2.5, PERSONS['C'].skill_spread)
 
 
 def test_pilot_file_beside_the_campaign(tmp_path):

@@ -62,4 +62,8 @@ class Paper:
         return Score(self.legs)
 
     def pilot(self, params: Any, draws: Any, skill: Any, batch: tuple = ()) -> Pilot:
-        return Pilot(params, self.step_s, self.cone, self.thrust, draws, skill, batch)
+        return self.wired(params).flying(draws, skill, batch)
+
+    def wired(self, part: Any) -> Any:
+        """Return settings with what they ask for besides."""
+        return wired(part, lambda name: getattr(self, name))

@@ -25,7 +25,7 @@ from rvd_dynamics.onboard.guard.gate import Gate
 from rvd_dynamics.onboard.guard.modes import Modes
 from rvd_dynamics.world.plants.relative import TRUTH_MODELS
 from rvd_dynamics.world.spacecraft.thrusters import execute
-from rvd_groundstation.operators.pilot import Pilot
+from rvd_groundstation.operators.pulses import PulsesPilot
 from rvd_groundstation.operators.tape import read_tape
 from rvd_groundstation.prediction.predictor import Predictor
 from rvd_groundstation.prediction.score import Score
@@ -151,9 +151,10 @@ class Graph:
         self.score = Score(self.legs)
         self.law = self.s.part('law')
         self.sharing = self.s.settings('command_blender').selected
-        self.pilot = Pilot(pilot, self.run.step_s, self.s.part('cone'), self.s.part('thrust'),
-                           streams.pilot_draws(seed, self.number, steps),
-                           streams.skill_normal(seed, pilot.operator_of(self.number)))
+        self.pilot = PulsesPilot(pilot, self.run.step_s, self.s.part('cone'),
+                                 self.s.part('thrust'),
+                                 streams.pilot_draws(seed, self.number, steps),
+                                 streams.skill_normal(seed, pilot.operator_of(self.number)))
         if self.operation.operator == 'replay':
             self.tape = read_tape(self.s.settings('joystick_replay').tape)
 

@@ -33,10 +33,9 @@ from rvd_campaign.campaign.software import software
 from rvd_campaign.campaign.standstill import Standstill, STOPPED_S
 from rvd_campaign.exits import CannotRun, check_file, EXIT_DONE
 from rvd_dynamics.bad_input import BadInput
-from rvd_dynamics.diagram.params import flatten
 from rvd_dynamics.diagram.scenario import load, nearest, Scenario
 from rvd_dynamics.recording import whole
-from rvd_groundstation.operators.pilot import PilotParams, PILOTS
+from rvd_groundstation.operators.pilot import form_of, keys_of, PERSONS, PilotForm
 from rvd_missions.lunar_approach import MISSION
 from rvd_missions.lunar_approach.campaigns import PAPER_MEANS, PAPER_RUNS, PAPER_SUCCESSES
 
@@ -77,7 +76,7 @@ class Bench:
     runs: int
     pool: joblib.Parallel
 
-    def look(self, *pilots: PilotParams) -> list[Look]:
+    def look(self, *pilots: PilotForm) -> list[Look]:
         """Return what each pilot does."""
         code = software(self.scenario.mission)
         parts = [Stretch(0, first, min(BATCH, self.runs - first))
@@ -89,8 +88,8 @@ class Bench:
         tables = [table for made in flown for _, table, _ in made]      # by part, then pilot
         return [_look(tables[i::len(pilots)]) for i in range(len(pilots))]
 
-    def _with(self, pilot: PilotParams) -> Scenario:
-        values = {k.replace('.', '__'): v for k, v in flatten(pilot).items()}
+    def _with(self, pilot: PilotForm) -> Scenario:
+        values = {k.replace('.', '__'): v for k, v in keys_of(pilot).items()}
         return self.scenario.with_values('operator_model', **values)
 
 
@@ -108,7 +107,7 @@ def _look(tables: list[Table]) -> Look:
 
 # -- the fit ---------------------------------------------------------------------------------
 
-def fit(bench: Bench, pilot: PilotParams, free: list[str]) -> tuple[PilotParams, Look]:
+def fit(bench: Bench, pilot: PilotForm, free: list[str]) -> tuple[PilotForm, Look]:
     """
     Return the pilot whose statistics are those of condition 1, and what he does.
 
@@ -119,7 +118,7 @@ def fit(bench: Bench, pilot: PilotParams, free: list[str]) -> tuple[PilotParams,
     """
     if len(free) == 1:
         return fit_success(bench, pilot, free[0])
-    best: list[tuple[float, PilotParams, Look]] = []
+    best: list[tuple[float, PilotForm, Look]] = []
 
     def misfit(value: float) -> float:
         fitted, look = fit_success(bench, _with(pilot, free[1], value), free[0])
@@ -142,7 +141,7 @@ def distance(look: Look) -> float:
     return float(sqrt(sum(m*m for m in miss)))
 
 
-def fit_success(bench: Bench, pilot: PilotParams, name: str) -> tuple[PilotParams, Look]:
+def fit_success(bench: Bench, pilot: PilotForm, name: str) -> tuple[PilotForm, Look]:
     """Return the pilot with the value of `name` at which the success rate is the paper's."""
     seen: dict[float, Look] = {}
 
@@ -188,7 +187,7 @@ def root(f: Callable[[float], float], start: float, low: float, high: float, sma
     return b if abs(fb) <= abs(f(a)) else a
 
 
-def bounds(pilot: PilotParams, name: str) -> tuple[float, float]:
+def bounds(pilot: PilotForm, name: str) -> tuple[float, float]:
     """Return between which values a number is looked for."""
     value = getattr(pilot, name)
     if name == 'skill_spread':
@@ -207,7 +206,7 @@ class Sensitivity(NamedTuple):
     noise: NDArray[np.float64]          # (statistics,) standard error of `answer`
 
 
-def sensitivities(bench: Bench, pilot: PilotParams, errors: NDArray) -> list[Sensitivity]:
+def sensitivities(bench: Bench, pilot: PilotForm, errors: NDArray) -> list[Sensitivity]:
     """Return the answers to every number of the pilot that is not zero, largest first."""
     names = numbers(pilot)
     pilots = [_with(pilot, name, getattr(pilot, name) * (1.0 + sign*STEP))
@@ -226,15 +225,14 @@ def sensitivities(bench: Bench, pilot: PilotParams, errors: NDArray) -> list[Sen
     return sorted(made, key=lambda s: -float(np.abs(s.answer).max()))
 
 
-def numbers(pilot: PilotParams) -> list[str]:
+def numbers(pilot: PilotForm) -> list[str]:
     """Return the numbers that can be moved by a tenth and matter for this pilot."""
-    unused = 'no_display_trust' if pilot.display else 'display_trust'
     return [f.name for f in fields(pilot)
             if isinstance(getattr(pilot, f.name), float) and getattr(pilot, f.name) > 0.0
-            and f.name != unused and _movable(pilot, f.name)]
+            and f.name not in pilot.idle and _movable(pilot, f.name)]
 
 
-def _movable(pilot: PilotParams, name: str) -> bool:
+def _movable(pilot: PilotForm, name: str) -> bool:
     try:
         for sign in (1, -1):
             _with(pilot, name, getattr(pilot, name) * (1.0 + sign*STEP))
@@ -300,7 +298,7 @@ def _workers_alive() -> Iterator[None]:
             raise CannotRun(f'a worker {how}: nothing is kept, calibrate again') from None
 
 
-def _asked(args: argparse.Namespace) -> tuple[PilotParams, list[str], Scenario]:
+def _asked(args: argparse.Namespace) -> tuple[PilotForm, list[str], Scenario]:
     if not 100 <= args.runs <= 1_000_000:
         raise CannotRun(f'--runs must be 100 to 1000000, got {args.runs}')
     if args.workers is not None and args.workers < 1:
@@ -310,14 +308,10 @@ def _asked(args: argparse.Namespace) -> tuple[PilotParams, list[str], Scenario]:
         raise CannotRun(f'--scenario {args.scenario}: only pilots of {MISSION.name} can be fitted, '
                         f'and this is mission {scenario.mission.name}')
     scenario = scenario.with_values('/**', seed=args.seed, run=0, mode='manual', operator='model')
-    if args.pilot in PILOTS:
-        pilot = PILOTS[args.pilot]
-    elif Path(args.pilot).is_file():
-        pilot = load(Path(args.pilot)).settings('operator_model')
-    else:
-        raise CannotRun(f'no pilot {args.pilot!r}: give a file or one of {", ".join(PILOTS)}')
-    default = 'skill_gain' if pilot.display else 'no_display_trust'
-    free = (args.free or default).split(',')
+    pilot = _pilot(args.pilot)
+    if not numbers(pilot):
+        raise CannotRun(f'pilot {args.pilot}: form {form_of(pilot)} has no number to fit')
+    free = (args.free or pilot.fitted_first).split(',')
     for name in free:
         if name not in numbers(pilot):
             raise CannotRun(f'--free: no number {name} in this pilot'
@@ -328,7 +322,16 @@ def _asked(args: argparse.Namespace) -> tuple[PilotParams, list[str], Scenario]:
     return pilot, free, scenario
 
 
-def fit_in_words(pilot: PilotParams, look: Look, free: list[str]) -> list[str]:
+def _pilot(given: str) -> PilotForm:
+    """Return the pilot of a name or a file."""
+    if given in PERSONS:
+        return PERSONS[given]
+    if Path(given).is_file():
+        return load(Path(given)).settings('operator_model').selected
+    raise CannotRun(f'no pilot {given!r}: give a file or one of {", ".join(PERSONS)}')
+
+
+def fit_in_words(pilot: PilotForm, look: Look, free: list[str]) -> list[str]:
     """Return what was fitted and how close it comes."""
     found, errors = look.statistics(), look.errors()
     fitted = ' and '.join(f'{name} = {getattr(pilot, name):.4g}' for name in free)
@@ -341,7 +344,7 @@ def fit_in_words(pilot: PilotParams, look: Look, free: list[str]) -> list[str]:
     return lines
 
 
-def study(bench: Bench, pilot: PilotParams, look: Look, name: str) -> list[str]:
+def study(bench: Bench, pilot: PilotForm, look: Look, name: str) -> list[str]:
     """Return in words what condition 1 identifies and what it does not."""
     errors = look.errors()
     found = sensitivities(bench, pilot, errors)
@@ -366,10 +369,10 @@ def study(bench: Bench, pilot: PilotParams, look: Look, name: str) -> list[str]:
         cells = '  '.join(f'{f"{a:.1f} +- {n:4.1f}":>{WIDTH}}'
                           for a, n in zip(s.answer, s.noise))
         lines.append(f'  {s.name:<22} {cells}')
-    return lines + profile(bench, pilot, name)
+    return lines + (profile(bench, pilot, name) if hasattr(pilot, 'skill_spread') else [])
 
 
-def profile(bench: Bench, pilot: PilotParams, name: str) -> list[str]:
+def profile(bench: Bench, pilot: PilotForm, name: str) -> list[str]:
     """Return the valley: every spread of skill fits the success rate with its own `name`."""
     lines = ['', f'skill_spread  {name:<17} {_heads()}  the means miss by']
     for spread in SPREADS:
@@ -388,22 +391,24 @@ def _heads() -> str:
     return '  '.join(f'{name:>{WIDTH}}' for name in STATISTICS)
 
 
-def pilot_file(pilot: PilotParams, args: argparse.Namespace, free: list[str], lines: list[str]
+def pilot_file(pilot: PilotForm, args: argparse.Namespace, free: list[str], lines: list[str]
                ) -> str:
     """Return the text of a pilot file: a scenario section, and what was fitted as comment."""
     head = [f'Pilot {Path(args.pilot).stem}, {", ".join(free)} fitted by rvd calibrate '
             '(condition 1 of the paper only).',
             f'{args.runs} manual runs of scenario {args.scenario}, seed {args.seed}.', *lines]
-    body = [f'    {key}: {_yaml(value)}{"     # fitted" if key in free else ""}'
-            for key, value in flatten(pilot).items()]
+    body = [f'    {key}: {_yaml(value)}'
+            + ('     # fitted' if key.rpartition('.')[2] in free else '')
+            for key, value in keys_of(pilot).items()]
     return '\n'.join([*(f'# {line}'.rstrip() for line in head), 'operator_model:',
                       '  ros__parameters:', *body, ''])
 
 
 def _yaml(value: object) -> str:
-    text = str(value).lower() if isinstance(value, bool) else repr(value)
+    text = (value if isinstance(value, str) and value else
+            str(value).lower() if isinstance(value, bool) else repr(value))
     return re.sub(r'^(\d+)e', r'\1.0e', text)
 
 
-def _with(pilot: PilotParams, name: str, value: float) -> PilotParams:
+def _with(pilot: PilotForm, name: str, value: float) -> PilotForm:
     return replace(pilot, **{name: value})

@@ -12,7 +12,7 @@ from typing import Any
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.params import flatten
 from rvd_dynamics.diagram.scenario import load, Scenario
-from rvd_groundstation.operators.pilot import PILOTS
+from rvd_groundstation.operators.pilot import keys_of, PERSONS
 
 # Condition 1 of the paper (manual), to which pilots are fitted: successes, means over them.
 PAPER_RUNS, PAPER_SUCCESSES = 100, 76
@@ -30,12 +30,12 @@ def pilot(value: Any, folder: Path) -> dict[str, dict[str, Any]]:
     ValueError
         If there is neither such a pilot nor such a file, or the file cannot be read.
     """
-    if isinstance(value, str) and value in PILOTS:
-        return {'operator_model': flatten(PILOTS[value])}
+    if isinstance(value, str) and value in PERSONS:
+        return {'operator_model': keys_of(PERSONS[value])}
     for path in (folder / str(value), Path(str(value))):
         if path.is_file():
             return {'operator_model': flatten(load(path).settings('operator_model'))}
-    raise BadInput(f'no pilot {value!r}: give a file or one of {", ".join(PILOTS)}')
+    raise BadInput(f'no pilot {value!r}: give a file or one of {", ".join(PERSONS)}')
 
 
 def notes(scenarios: Sequence[Scenario]) -> list[str]:

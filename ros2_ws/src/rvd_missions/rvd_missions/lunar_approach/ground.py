@@ -10,20 +10,20 @@ from numpy.typing import NDArray
 
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.commands.codes import BY_PILOT, KIND_ABORT, KIND_THRUST, REASON_ABORT
-from rvd_dynamics.commands.levels import LevelForm, stick_levels, StickParams, ThrustParams
+from rvd_dynamics.commands.levels import LevelForm, stick_levels, StickParams
 from rvd_dynamics.diagram.block import Block
 from rvd_dynamics.diagram.control import Control
 from rvd_dynamics.diagram.params import build
 from rvd_dynamics.diagram.run import Legs, Run
 from rvd_dynamics.diagram.scenario import Scenario
 from rvd_dynamics.diagram.streams import PilotDraws
-from rvd_dynamics.geometry.cone import Cone, SLOWEST_RATE
+from rvd_dynamics.geometry.cone import SLOWEST_RATE
 from rvd_dynamics.geometry.keep_out import Stop
 from rvd_dynamics.motion.orbit import OrbitParams, ScatterParams, StartParams
 from rvd_groundstation.guidance import Law
 from rvd_groundstation.guidance.keep_out import among, Map, uses_covariance
 from rvd_groundstation.operators.operation import MODES, Operation
-from rvd_groundstation.operators.pilot import Pilot, PilotParams
+from rvd_groundstation.operators.pilot import PilotForm
 from rvd_groundstation.operators.tape import read_tape, Tape
 from rvd_groundstation.prediction.abort import AbortProfile
 from rvd_groundstation.prediction.newest import Newest
@@ -50,6 +50,11 @@ def law(scenario: Scenario) -> Law:
     return scenario.wired(scenario.settings('auto_controller').selected)
 
 
+def pilot(scenario: Scenario) -> PilotForm:
+    """Return the form of the model pilot, with what it asks for besides its settings."""
+    return scenario.wired(scenario.settings('operator_model').selected)
+
+
 def approach_rate_m_s(scenario: Scenario) -> float:
     """
     Return the closing rate for which the control boundary is drawn [m/s].
@@ -61,8 +66,8 @@ def approach_rate_m_s(scenario: Scenario) -> float:
     if assumed is not None:
         return assumed
     start = scenario.part('start').velocity_m_s[0]
-    return start if start >= SLOWEST_RATE else max(
-        scenario.settings('operator_model').closing_rate_m_s, SLOWEST_RATE)
+    kept = getattr(scenario.settings('operator_model').selected, 'closing_rate_m_s', 0.0)
+    return start if start >= SLOWEST_RATE else max(kept, SLOWEST_RATE)
 
 
 def tape(scenario: Scenario) -> Tape:
@@ -141,10 +146,9 @@ def _is_abort(command: Any) -> bool:
 class OperatorModel:
     """The model pilot: looks at the displays, moves the stick."""
 
-    def __init__(self, settings: PilotParams, run: Run, cone: Cone, thrust: ThrustParams,
-                 chance: tuple[PilotDraws, Any], batch: tuple) -> None:
+    def __init__(self, pilot: PilotForm, chance: tuple[PilotDraws, Any], batch: tuple) -> None:
         draws, skill = chance
-        self._pilot = Pilot(settings, run.step_s, cone, thrust, draws, skill, batch)
+        self._pilot = pilot.flying(draws, skill, batch)
         self._valid = np.ones(batch, dtype=bool)
 
     def step(self, k: int, estimate: Any, prediction: Any) -> dict[str, Any]:

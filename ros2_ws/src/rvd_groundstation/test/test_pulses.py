@@ -9,11 +9,12 @@ from paper import Paper
 import pytest
 
 from rvd_dynamics.diagram.streams import pilot_draws, PilotDraws, skill_normal
-from rvd_groundstation.operators.pilot import PilotParams, PILOTS
+from rvd_groundstation.operators.pilot import PERSONS
+from rvd_groundstation.operators.pulses import Pulses
 
 STEPS = 300
-QUIET = PilotParams(rate_bias_m_s=0.0, position_bias_m=0.0, position_bias_per_m=0.0,
-                    slip_fraction=0.0, lapse_interval_s=1e12, skill_spread=0.0)
+QUIET = Pulses(rate_bias_m_s=0.0, position_bias_m=0.0, position_bias_per_m=0.0,
+               slip_fraction=0.0, lapse_interval_s=1e12, skill_spread=0.0)
 
 
 def stack(draws):
@@ -110,7 +111,7 @@ def fly(params, paper, rows, d, p, first=10, seed=0, draws=None):
 def test_is_the_model_written_out_in_scalars(name, g, spread, trust, step_s):
     rows, paper = 12, Paper(step_s=step_s)
     d, p = displays(rows, STEPS, step_s)
-    got = fly(PILOTS[name], paper, rows, d, p)
+    got = fly(PERSONS[name], paper, rows, d, p)
     acted = 0
     for run in range(rows):
         scalar = Scalar(g, spread, trust, step_s, pilot_draws(0, run, STEPS),
@@ -128,10 +129,10 @@ def test_rows_are_equal_to_single_pilots_bit_for_bit(rows):
     valid = np.random.default_rng(rows).random((rows, steps)) < 0.95
     draws = [pilot_draws(3, run, steps) for run in range(rows)]
     skill = np.array([skill_normal(3, run) for run in range(rows)])
-    batch = paper.pilot(PilotParams(), stack(draws), skill, (rows,))
+    batch = paper.pilot(Pulses(), stack(draws), skill, (rows,))
     whole = [batch.advance(k, d[:, k], p[:, k], valid[:, k]) for k in range(steps)]
     for row in range(0, rows, max(1, rows // 12)):
-        single = paper.pilot(PilotParams(), draws[row], skill[row])
+        single = paper.pilot(Pulses(), draws[row], skill[row])
         for k in range(steps):
             got = single.advance(k, d[row, k], p[row, k], valid[row, k])
             assert got.shape == (3,) and got.dtype == np.int8
@@ -142,7 +143,7 @@ def test_neutral_until_the_first_displays():
     paper = Paper()
     d, p = displays(50, 80, 0.5)
     d[:, :30], p[:, :30] = np.nan, np.nan
-    levels = fly(PilotParams(), paper, 50, d, p, first=30)
+    levels = fly(Pulses(), paper, 50, d, p, first=30)
     assert not levels[:, :30].any()
     assert levels[:, 30:].any(axis=(1, 2)).mean() > 0.5
 
@@ -154,7 +155,7 @@ def test_displays_that_go_out_stay_as_they_were():
     frozen_d[:, 60:], frozen_p[:, 60:] = d[:, 59:60], p[:, 59:60]
     draws = stack(pilot_draws(0, run, 120) for run in range(40))
     skill = np.zeros(40)
-    dark, still = (paper.pilot(PilotParams(), draws, skill, (40,)) for _ in range(2))
+    dark, still = (paper.pilot(Pulses(), draws, skill, (40,)) for _ in range(2))
     for k in range(120):
         lit = k < 60
         nothing = np.full((40, 6), np.nan)
@@ -227,8 +228,8 @@ def test_no_more_than_the_documented_draws_are_used():
     other = PilotDraws(*(part.copy() for part in draws))
     other.normals[..., 6] += 3.0
     other.uniforms[..., 4:] = 0.0
-    assert_array_equal(fly(PilotParams(), paper, rows, d, p, draws=draws),
-                       fly(PilotParams(), paper, rows, d, p, draws=other))
+    assert_array_equal(fly(Pulses(), paper, rows, d, p, draws=draws),
+                       fly(Pulses(), paper, rows, d, p, draws=other))
 
 
 def test_slips_are_one_in_a_hundred_times_the_gain():
@@ -255,22 +256,16 @@ def test_lapses_take_their_share_of_the_time():
 
 
 def test_presets_are_those_of_the_documentation():
-    assert PILOTS['A'] == PilotParams()
-    assert (PILOTS['C'].skill_gain, PILOTS['C'].skill_spread) == (1.77, 0.20)
-    assert (PILOTS['B'].skill_gain, PILOTS['B'].display) == (1.0, False)
-    assert replace(PILOTS['B'], display=True) == PilotParams(skill_gain=1.0)
-
-
-def test_operators_fly_runs_in_a_row():
-    assert [PilotParams(runs_per_operator=10).operator_of(run) for run in (0, 9, 10, 99)] == [
-        0, 0, 1, 9]
-    assert PilotParams().operator_of(37) == 37
+    assert PERSONS['A'] == Pulses()
+    assert (PERSONS['C'].skill_gain, PERSONS['C'].skill_spread) == (1.77, 0.20)
+    assert (PERSONS['B'].skill_gain, PERSONS['B'].display) == (1.0, False)
+    assert replace(PERSONS['B'], display=True) == Pulses(skill_gain=1.0)
 
 
 @pytest.mark.parametrize('name, bad', [
     ('skill_gain', 0.0), ('skill_spread', -0.1), ('reaction_s', np.nan), ('bias_time_s', 0.0),
-    ('lead_max_s', 1.0), ('pulse_max_s', 1.0), ('level_3_m_s', 0.01), ('runs_per_operator', 0),
+    ('lead_max_s', 1.0), ('pulse_max_s', 1.0), ('level_3_m_s', 0.01),
     ('lapse_interval_s', np.inf)])
 def test_impossible_settings_are_refused_by_name(name, bad):
     with pytest.raises(ValueError, match=name):
-        PilotParams(**{name: bad})
+        Pulses(**{name: bad})
