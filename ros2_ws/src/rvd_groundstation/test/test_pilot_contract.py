@@ -11,6 +11,7 @@ from rvd_dynamics.diagram.params import build, flatten, is_wiring, leaves
 from rvd_dynamics.diagram.streams import pilot_draws, PilotDraws, skill_normal
 from rvd_groundstation.operators.pilot import (
     FIRST, form_of, keys_of, OperatorParams, PERSONS, PILOTS)
+from rvd_groundstation.operators.recorded import text_of_responses
 
 STEPS = 120
 PAPER = Paper()
@@ -19,6 +20,25 @@ PAPER = Paper()
 @pytest.fixture(params=PILOTS.values(), ids=PILOTS.keys())
 def form(request):
     return request.param
+
+
+@pytest.fixture(scope='module')
+def table(tmp_path_factory):
+    """Return recorded responses: five flights of somebody who pushes against offset and rate."""
+    flights = []
+    for state in displays(5, seed=8)[1]:
+        wish = np.rint(-3.0*(state[:, :3] + 8.0*state[:, 3:])).clip(-3, 3).astype(np.int8)
+        wish[:, 0] = 0
+        flights.append((state, wish))
+    path = tmp_path_factory.mktemp('recorded') / 'responses.csv'
+    path.write_text(text_of_responses(flights, PAPER.step_s))
+    return str(path)
+
+
+@pytest.fixture
+def settings(form, table):
+    """Return a form as it can fly: its defaults, and what it cannot do without."""
+    return form(responses=table) if 'responses' in dict(leaves(form)) else form()
 
 
 def chance(rows, seed=4):
@@ -40,12 +60,12 @@ def displays(rows, seed=5):
     return estimate, predicted
 
 
-def flown(form, rows, first=10, picked=slice(None)):
+def flown(settings, rows, first=10, picked=slice(None)):
     """Return levels (rows, STEPS, 3) of pilots whose displays begin at step `first`."""
     draws, skill = chance(rows)
     estimate, predicted = (shown[picked] for shown in displays(rows))
     draws, skill = PilotDraws(*(part[picked] for part in draws)), skill[picked]
-    pilot = PAPER.wired(form()).flying(draws, skill, skill.shape)
+    pilot = PAPER.wired(settings).flying(draws, skill, skill.shape)
     return np.stack([pilot.advance(k, estimate[..., k, :], predicted[..., k, :],
                                    np.full(skill.shape, k >= first)) for k in range(STEPS)], -2)
 
@@ -59,8 +79,8 @@ def test_is_a_frozen_dataclass_whose_wiring_is_no_parameter(form):
         form().skill_gain = 2.0
 
 
-def test_moves_the_stick_between_its_stops_and_only_after_the_first_display(form):
-    levels = flown(form, 40)
+def test_moves_the_stick_between_its_stops_and_only_after_the_first_display(settings):
+    levels = flown(settings, 40)
     assert levels.shape == (40, STEPS, 3) and levels.dtype == np.int8
     assert np.abs(levels).max() <= 3
     assert_array_equal(levels[:, :10], 0)
@@ -68,16 +88,16 @@ def test_moves_the_stick_between_its_stops_and_only_after_the_first_display(form
 
 
 @pytest.mark.parametrize('rows', [1, 7, 300])
-def test_rows_are_equal_to_single_pilots_bit_for_bit(form, rows):
-    whole = flown(form, rows)
+def test_rows_are_equal_to_single_pilots_bit_for_bit(settings, rows):
+    whole = flown(settings, rows)
     for row in {0, rows//2, rows - 1}:
-        assert_array_equal(whole[row], flown(form, rows, picked=row))
+        assert_array_equal(whole[row], flown(settings, rows, picked=row))
 
 
-def test_a_display_that_goes_blank_disturbs_no_other_row(form):
+def test_a_display_that_goes_blank_disturbs_no_other_row(settings):
     draws, skill = chance(20)
     estimate, predicted = displays(20)
-    pilots = [PAPER.wired(form()).flying(draws, skill, (20,)) for _ in range(2)]
+    pilots = [PAPER.wired(settings).flying(draws, skill, (20,)) for _ in range(2)]
     for k in range(STEPS):
         seen, broken = np.ones(20, dtype=bool), estimate[:, k].copy()
         clean = pilots[0].advance(k, estimate[:, k], predicted[:, k], seen)

@@ -45,6 +45,7 @@ TARGET = np.array([PAPER_SUCCESSES / PAPER_RUNS, *PAPER_MEANS.values()])
 WIDTH = max(14, *map(len, STATISTICS))          # of a column, in characters
 SPREADS = (0.0, 0.1, 0.2, 0.35, 0.5)            # of the profile
 STEP = 0.1                                      # relative, of the derivatives
+FAR = 1e3                                       # [standard errors] of what cannot be fitted
 BLOCKS = 20                                     # of runs, for the noise of a derivative
 BATCH = 500
 
@@ -121,7 +122,11 @@ def fit(bench: Bench, pilot: PilotForm, free: list[str]) -> tuple[PilotForm, Loo
     best: list[tuple[float, PilotForm, Look]] = []
 
     def misfit(value: float) -> float:
-        fitted, look = fit_success(bench, _with(pilot, free[1], value), free[0])
+        try:
+            fitted, look = fit_success(bench, _with(pilot, free[1], value), free[0])
+        except BadInput as error:
+            print(f'  {free[1]} {value:.4g}: {error}', flush=True)
+            return FAR
         best.append((distance(look), fitted, look))
         print(f'  {free[1]} {value:.4g}: {free[0]} {getattr(fitted, free[0]):.4g}, the means '
               f'miss by {best[-1][0]:.2f} standard errors', flush=True)
@@ -131,6 +136,9 @@ def fit(bench: Bench, pilot: PilotForm, free: list[str]) -> tuple[PilotForm, Loo
     low, high = bounds(pilot, free[1])
     minimize_scalar(misfit, bounds=(low, high), method='bounded',
                     options={'maxiter': 9, 'xatol': 0.02*(high - low)})
+    if not best:
+        raise BadInput(f'no {free[0]} gives a success rate of {TARGET[0]:g}, whatever {free[1]} '
+                       f'between {low:.3g} and {high:.3g}')
     _, fitted, look = min(best, key=lambda made: made[0])
     return fitted, look
 

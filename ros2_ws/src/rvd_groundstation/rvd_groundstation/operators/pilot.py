@@ -19,7 +19,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from rvd_dynamics.diagram.params import flatten, param
 from rvd_dynamics.diagram.streams import PilotDraws
+from rvd_groundstation.operators.human_control import HumanControl
 from rvd_groundstation.operators.pulses import Pulses
+from rvd_groundstation.operators.recorded import Recorded
 
 
 class Pilot(Protocol):
@@ -75,6 +77,8 @@ class PilotForm(Protocol):
 FIRST = 'pulses'                        # its numbers stand in the section itself
 PILOTS = {
     FIRST: Pulses,
+    'human_control': HumanControl,
+    'recorded': Recorded,
 }
 
 
@@ -82,6 +86,7 @@ PERSONS = {
     'A': Pulses(),
     'B': Pulses(skill_gain=1.0, display=False),         # with the display only in condition 2
     'C': Pulses(skill_gain=1.77, skill_spread=0.20),
+    'H': HumanControl(),
 }
 
 

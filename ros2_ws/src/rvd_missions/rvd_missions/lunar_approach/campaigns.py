@@ -12,7 +12,7 @@ from typing import Any
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.params import flatten
 from rvd_dynamics.diagram.scenario import load, Scenario
-from rvd_groundstation.operators.pilot import keys_of, PERSONS
+from rvd_groundstation.operators.pilot import FIRST, keys_of, PERSONS
 
 # Condition 1 of the paper (manual), to which pilots are fitted: successes, means over them.
 PAPER_RUNS, PAPER_SUCCESSES = 100, 76
@@ -40,8 +40,12 @@ def pilot(value: Any, folder: Path) -> dict[str, dict[str, Any]]:
 
 def notes(scenarios: Sequence[Scenario]) -> list[str]:
     """Say where the numbers of the model pilot come from, if he flies in any of the scenarios."""
-    if all(scenario.part('operation').operator != 'model' for scenario in scenarios):
+    forms = {scenario.settings('operator_model').form for scenario in scenarios
+             if scenario.part('operation').operator == 'model'}
+    if not forms:
         return []
-    return ['The pilot is a model with 28 parameters. Those that were fitted were fitted to three '
+    model = ('a model with 28 parameters' if forms == {FIRST} else
+             f'a model ({", ".join(sorted(forms))})')
+    return [f'The pilot is {model}. Those that were fitted were fitted to three '
             'statistics of the paper\u2019s condition 1 (manual) and to nothing else; agreement '
             'elsewhere supports the paper but does not prove it.']
