@@ -1,8 +1,8 @@
 """
 Make the pictures of campaigns in docs/images again, from the folder that holds those of campaigns.
 
-    for name in table3 delay eta variants loss loss_cause ablations replicates laws \
-            consistency; do
+    for name in table3 delay eta variants loss loss_cause ablations replicates pilots pilots_delay \
+            laws consistency; do
         ./rvd campaign $name --out runs/$name
     done
     ./rvd shell python scripts/campaign_pictures.py runs        # of those that are in there
@@ -22,6 +22,7 @@ PICTURES = {                    # campaign: its figures, and the picture of each
     'variants': {'success': 'campaign_variants'}, 'loss': {'curve': 'campaign_loss'},
     'loss_cause': {'curve': 'campaign_loss_cause'},
     'ablations': {'differences': 'campaign_ablations'},
+    'pilots': {'ensemble': 'campaign_pilots'}, 'pilots_delay': {'curve': 'campaign_pilots_delay'},
     'replicates': {'replicates': 'campaign_replicates'}, 'laws': {'comparison': 'laws'},
     'consistency': {'consistency': 'campaign_consistency'},
     'docking': {'margins': 'docking-campaign'},

@@ -6,7 +6,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
+from rvd_campaign.campaign import sample as sampling
 from rvd_campaign.campaign.claims import Confirmation
+from rvd_campaign.campaign.sample import Sample
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.mission import Mission
 from rvd_dynamics.diagram.scenario import nearest, parse, Scenario, SHARED
@@ -19,7 +21,10 @@ KEPT_SHAPE = {                  # of what `Campaign.as_dict` wrote
     'compare': [[str, 2]], 'fitted': {'': str}, 'figures': [str], 'notes': [str], 'text': str,
     'reference': {'': {'runs': int, 'successes': int, 'means?': {'': (int, float)}}},
     'confirm?': (dict, type(None)),
-    'conditions': [{'name': str, 'group': str, 'at': dict, 'scenario': str}]}
+    'conditions': [{'name': str, 'group': str, 'at': dict, 'scenario?': str, 'base?': str,
+                    'point?': int, 'changes?': {'': {'': float}}}],
+    'sample?': sampling.SHAPE,
+    'accept?': {'reference?': str, 'standard_errors?': (int, float)}}
 
 
 class CampaignError(BadInput):
@@ -34,6 +39,21 @@ class Condition:
     scenario: Scenario                  # with the seed of the campaign
     at: dict[str, Any]                  # the place in the grid: axis and value
     group: str                          # the name without the grid
+    point: int | None = None            # of the sample, and with it:
+    base: str = ''                      # the condition that is flown there
+    changes: dict[str, dict[str, float]] = field(default_factory=dict)  # section, key, value
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return what a folder keeps: at a point of the sample only what is other than in base."""
+        kept = {'name': self.name, 'group': self.group, 'at': self.at}
+        if self.point is None:
+            return {**kept, 'scenario': self.scenario.dump()}
+        return {**kept, 'base': self.base, 'point': self.point, 'changes': self.changes}
+
+    def at_point(self, point: int, changes: dict[str, dict[str, float]]) -> 'Condition':
+        """Return the condition as it is flown at a point of the sample."""
+        return Condition(f'{self.name},sample={point}', changed(self.scenario, changes), self.at,
+                         self.group, point, self.name, changes)
 
 
 @dataclass(frozen=True)
@@ -53,6 +73,8 @@ class Campaign:
     notes: tuple[str, ...] = ()
     text: str = field(default='', repr=False)           # the file as it was written
     confirm: Confirmation | None = None
+    sample: Sample | None = None
+    accept: dict[str, Any] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         check_runs(self.runs, len(self.conditions))
@@ -64,13 +86,14 @@ class Campaign:
 
     @property
     def again(self) -> 'Campaign | None':
-        """The campaign that confirms this one; None: there is none."""
+        """The campaign that confirms this one, without a sample; None: there is none."""
         if self.confirm is None:
             return None
         seed = self.confirm.seed
-        return replace(self, seed=seed, runs=self.confirm.runs, confirm=None, conditions=tuple(
-            replace(c, scenario=c.scenario.with_values(SHARED, seed=seed))
-            for c in self.conditions))
+        return replace(
+            self, seed=seed, runs=self.confirm.runs, confirm=None, sample=None, accept={},
+            conditions=tuple(replace(c, scenario=c.scenario.with_values(SHARED, seed=seed))
+                             for c in self.conditions if c.point is None))
 
     def condition(self, name: str) -> Condition:
         """Return a condition by its name, or refuse it with the nearest one."""
@@ -87,21 +110,31 @@ class Campaign:
             'replicates': self.replicates, 'compare': self.compare, 'fitted': self.fitted,
             'reference': self.reference, 'figures': self.figures, 'notes': self.notes,
             'text': self.text, 'confirm': vars(self.confirm) if self.confirm else None,
-            'conditions': [{'name': c.name, 'group': c.group, 'at': c.at,
-                            'scenario': c.scenario.dump()} for c in self.conditions]}
+            'conditions': [c.as_dict() for c in self.conditions],
+            **({'sample': self.sample.as_dict(), 'accept': self.accept} if self.sample else {})}
 
 
 def from_dict(kept: Mapping[str, Any]) -> Campaign:
     """Return the campaign that `Campaign.as_dict` wrote."""
-    conditions = tuple(
-        Condition(c['name'], parse(c['scenario'], c['name']), c['at'], c['group'])
-        for c in kept['conditions'])
+    made: dict[str, Condition] = {}
+    for c in kept['conditions']:
+        made[c['name']] = made[c['base']].at_point(c['point'], c['changes']) if 'point' in c else (
+            Condition(c['name'], parse(c['scenario'], c['name']), c['at'], c['group']))
     return Campaign(
-        kept['name'], kept['title'], kept['seed'], kept['runs'], conditions,
+        kept['name'], kept['title'], kept['seed'], kept['runs'], tuple(made.values()),
         tuple(kept['replicates']) if kept['replicates'] else None,
         tuple(tuple(pair) for pair in kept['compare']), kept['fitted'], kept['reference'],
         tuple(kept['figures']), tuple(kept['notes']), kept['text'],
-        Confirmation(**kept['confirm']) if kept.get('confirm') else None)
+        Confirmation(**kept['confirm']) if kept.get('confirm') else None,
+        sampling.from_dict(kept['sample']) if 'sample' in kept else None, kept.get('accept', {}))
+
+
+def changed(scenario: Scenario, changes: Mapping[str, Mapping[str, Any]]) -> Scenario:
+    """Return the scenario with other values: section, key (`eq25.eta` is one), value."""
+    for section, flat in changes.items():
+        scenario = scenario.with_values(
+            section, **{key.replace('.', '__'): value for key, value in flat.items()})
+    return scenario
 
 
 def check_runs(runs: Any, conditions: int) -> None:

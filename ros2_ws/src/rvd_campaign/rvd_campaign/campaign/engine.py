@@ -76,8 +76,9 @@ def default_workers() -> int:
 
 def identity(campaign: Campaign) -> dict[str, str]:
     """Return what must be equal for two runs of the same number to be the same run."""
-    settings = json.dumps([campaign.seed, [(c.name, c.scenario.resolved())
-                                           for c in campaign.conditions]])
+    settings = json.dumps([campaign.seed, [
+        (c.name, c.scenario.resolved() if c.point is None else c.changes)
+        for c in campaign.conditions]])
     return {'settings': hashlib.sha256(settings.encode()).hexdigest(),
             'code': code_hash(campaign.mission), **versions()}
 

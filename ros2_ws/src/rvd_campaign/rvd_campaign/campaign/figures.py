@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rvd_campaign.campaign import stats
+from rvd_campaign.campaign.ensemble_figure import ensemble
 from rvd_campaign.campaign.forest import differences
 from rvd_campaign.campaign.results import Table
 from rvd_dynamics.bad_input import BadInput
@@ -226,6 +227,7 @@ FIGURES = {
     'success': CampaignFigure(success, 'Success'),
     'curve': CampaignFigure(curve, 'Success over the grid'),
     'differences': CampaignFigure(differences, 'Comparisons side by side', tall=True),
+    'ensemble': CampaignFigure(ensemble, 'How sharp the results are', tall=True),
     'replicates': CampaignFigure(replicates, 'Experiments of the paper\u2019s size'),
 }
 

@@ -68,7 +68,9 @@ def read(folder: Path) -> Results:
         if not {'measures', 'reasons'} <= set(summary):
             raise CampaignError(f'{folder / SUMMARY} is of another version of this software, '
                                 'which alone can report on it')
-        return Results(campaign, summary, dict(results.tables(folder / RESULTS, needed(campaign))))
+        return Results(campaign, summary, {
+            name: table for name, table in results.tables(folder / RESULTS, needed(campaign))
+            if campaign.condition(name).point is None})
     except FileNotFoundError:
         raise CampaignError(f'{folder} has no results yet: finish it with ./rvd campaign '
                             f'--resume {shlex.quote(str(folder))}') from None
@@ -99,7 +101,8 @@ def page(made: Results) -> str:
         conditions=_conditions(summary, campaign.reference), differences=_differences(summary),
         of_all=[m['words'] for m in _tabled(summary).values() if m.get('of_all')],
         measured=_measured(summary),
-        replicates=_replicates(summary), people=_people(summary), again=_again(summary),
+        replicates=_replicates(summary), ensemble=_ensemble(summary),
+        people=_people(summary), again=_again(summary),
         figures=[_figure(name, figure, made) for name, figure in shown_by(campaign).items()],
         endings=_endings(summary, averaged), averaged=bool(averaged), decided=_decided(summary),
         name=campaign.name, runs=campaign.runs, first=campaign.conditions[0].name,
@@ -247,6 +250,34 @@ def _replicates(summary: dict[str, Any]) -> dict[str, Any] | None:
 
 def _rounded(value: float | None) -> str:
     return DASH if value is None else f'{value:.2f}'
+
+
+def _ensemble(summary: dict[str, Any]) -> dict[str, Any] | None:
+    """Return the tables of a sample."""
+    made = summary.get('ensemble')
+    if not made:
+        return None
+
+    def extent(values: list[float] | None) -> Cell:
+        return DASH if values is None else (f'{values[0]:.3f} {DASH} {values[2]:.3f}',
+                                            f'median {values[1]:.3f}')
+
+    def index(row: dict[str, Any], which: str) -> Cell:
+        return DASH if row[which] is None else (f'{row[which]:.2f}',
+                                                f'\u00b1 {row[which + "95"]:.2f}')
+    chosen = made['accepted']
+    return {
+        'bands': Table(['', 'as it is', f'{made["latin_hypercube"]} points', 'those that agree'], [
+            ('', [worded(b['output']), f'{b["fit"]:.3f}', extent(b['all']),
+                  extent(b['accepted'])]) for b in made['bands']]),
+        'indices': Table(['', 'numbers', 'first order', 'total'], [
+            ('', [worded(i['output']), i['group'], index(i, 'first'), index(i, 'total')])
+            for i in made['indices']]),
+        'agree': '' if chosen is None else (
+            f'{len(chosen["points"])} of the {made["latin_hypercube"]} points agree with '
+            f'{chosen["reference"]} within {chosen["standard_errors"]:g} standard errors.'),
+        'ranges': [(f'{n["section"]}.{n["key"]}', n['group'], f'{n["low"]:g} to {n["high"]:g}')
+                   for n in made['numbers']]}
 
 
 def _endings(summary: dict[str, Any], averaged: dict[str, dict[str, Any]]) -> Table:

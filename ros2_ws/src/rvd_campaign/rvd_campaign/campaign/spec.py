@@ -9,6 +9,8 @@ The campaign file: which conditions are flown, how often, and with which seed.
     grid: {AXIS: VALUES}        # every condition times every cell
     compare: [[NAME, NAME]]     # differences to state; left out: each with the first
     replicates: {operators: 10, runs: 10}
+    sample: {latin_hypercube: 240, sobol: 32, numbers: {...}}   # see `sample`
+    accept: {reference: WORDS, standard_errors: 2}              # points that agree; `ensemble`
     fitted: {NAME: WORDS}       # conditions whose result was fitted, and to what
     reference: {WORDS: {condition: NAME, runs: 100, successes: 76, means: {...}}}
     confirm: {seed: 2, runs: 10000}     # see `claims`, as for more of a reference
@@ -29,10 +31,12 @@ from pathlib import Path
 from typing import Any
 
 from rvd_campaign import catalogue
+from rvd_campaign.campaign import sample as sampling
 from rvd_campaign.campaign.checked import (
-    Campaign, CampaignError, check_runs, Condition, MAX_CONDITIONS)
+    Campaign, CampaignError, changed, check_runs, Condition, MAX_CONDITIONS)
 from rvd_campaign.campaign.claims import Confirmation, confirmation, reference
 from rvd_campaign.campaign.grid import Cells, legs
+from rvd_campaign.campaign.sample import Sample
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram import in_process
 from rvd_dynamics.diagram.build import loaded
@@ -42,7 +46,7 @@ from rvd_dynamics.diagram.scenario import (
 from rvd_dynamics.given import mapping_of, text_of
 
 KEYS = ('scenario', 'seed', 'runs', 'set', 'conditions', 'grid', 'compare', 'replicates', 'fitted',
-        'reference', 'confirm', 'figures', 'notes')
+        'reference', 'confirm', 'figures', 'notes', 'sample', 'accept')
 LOOP_DELAY = 'loop_delay_s'             # the short word for both delays of the link
 DELAYS = ('forward_delay_s', 'back_delay_s')
 OF_THE_CAMPAIGN = ('mission', 'seed', 'run', 'nodes', 'processes')  # no condition may change them
@@ -97,14 +101,16 @@ class _Reader:
         base = self._changed(scenario, 'set', tree.get('set'))
         conditions = tuple(self._conditions(base, groups, cells, 'conditions' in tree))
         names = [c.name for c in conditions]
+        rows = self._reference(tree.get('reference'), names)
+        sample, accept, points = self._sample(tree, conditions, rows, seed, runs)
         return Campaign(
-            self._name, _title(text), seed, runs, conditions,
+            self._name, _title(text), seed, runs, (*conditions, *points),
             self._replicates(tree.get('replicates'), runs, conditions),
             self._pairs(tree.get('compare'), names),
             self._texts('fitted', tree.get('fitted'), names),
-            self._reference(tree.get('reference'), names),
-            self._figures(base.mission, tree.get('figures', [])),
-            self._notes(tree.get('notes', [])), text, self._confirm(tree, runs, asked, conditions))
+            rows, self._figures(base.mission, tree.get('figures', [])),
+            self._notes(tree.get('notes', [])), text, self._confirm(tree, runs, asked, conditions),
+            sample, accept)
 
     def _refuse(self, words: str) -> None:
         raise CampaignError(f'{self._what}: {words}')
@@ -205,10 +211,7 @@ class _Reader:
 
     def _change(self, scenario: Scenario, key: Any, value: Any) -> Scenario:
         if key in scenario.mission.short_words:
-            changes = loaded(scenario.mission.short_words[key])(value, self._folder)
-            for section, flat in changes.items():
-                scenario = scenario.with_values(section, **_dunder(flat))
-            return scenario
+            return changed(scenario, loaded(scenario.mission.short_words[key])(value, self._folder))
         if key == LOOP_DELAY and key in self._words:
             return scenario.with_values(SHARED, **legs(value, scenario.run.step_s))
         if key not in self._sections:
@@ -220,7 +223,7 @@ class _Reader:
         for name in OF_THE_CAMPAIGN:
             if key == SHARED and name in flat:
                 raise ScenarioError(f'{name} belongs to the campaign, not to a condition')
-        return scenario.with_values(key, **_dunder(flat))
+        return changed(scenario, {key: flat})
 
     # -- what is said about the conditions --------------------------------------------------
 
@@ -259,6 +262,19 @@ class _Reader:
         for name in texts:
             self._known(key, name, names)
         return {name: str(words) for name, words in texts.items()}
+
+    def _sample(self, tree: dict, conditions: tuple, reference: dict[str, dict], seed: int,
+                runs: int) -> tuple[Sample | None, dict[str, Any], list[Condition]]:
+        """Return the sample, which points are accepted, and every condition at every point."""
+        try:
+            sample = sampling.parsed(tree.get('sample'), conditions[0].scenario)
+            check_runs(runs, len(conditions)*(1 + (sample.count if sample else 0)))
+            accept = sampling.acceptance(tree.get('accept'), sample, reference)
+            return sample, accept, [
+                c.at_point(point, changes) for point, changes in enumerate(
+                    sample.changes(seed) if sample else ()) for c in conditions]
+        except BadInput as error:
+            self._refuse(_bare(error))
 
     def _reference(self, rows: Any, names: list[str]) -> dict[str, dict]:
         if rows is None:
@@ -306,10 +322,6 @@ def _runs_per_operator(scenario: Scenario) -> list[int]:
     """Return in how many consecutive runs each model pilot of a scenario is the same person."""
     return [draw.runs_per_operator for block in scenario.diagram.blocks
             for draw in block.draws.values() if hasattr(draw, 'runs_per_operator')]
-
-
-def _dunder(flat: dict[str, Any]) -> dict[str, Any]:
-    return {key.replace('.', '__'): value for key, value in flat.items()}
 
 
 def _bare(error: ValueError) -> str:

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from rvd_campaign.campaign import results, stats
+from rvd_campaign.campaign import ensemble, results, stats
 from rvd_campaign.campaign.checked import Campaign, Condition
 from rvd_campaign.campaign.claims import effective
 from rvd_campaign.campaign.engine import condition_tables, full_disk, identity, PARTS, RESULTS
@@ -51,6 +51,9 @@ def finish(campaign: Campaign, folder: Path) -> dict[str, Any]:
                     kept[name] = {key: table[key] for key in paired if key in table}
     except OSError as error:
         raise full_disk(folder, error) from None
+    if campaign.sample:
+        sampled = ensemble.of_points(campaign, {c['name']: c for c in conditions})
+        conditions = [c for c in conditions if campaign.condition(c['name']).point is None]
     summary = {
         'campaign': campaign.name, 'title': campaign.title, 'seed': campaign.seed,
         'result_hash': file.hash, 'identity': identity(campaign), 'measures': measures,
@@ -59,6 +62,8 @@ def finish(campaign: Campaign, folder: Path) -> dict[str, Any]:
                          **of_measures(success[a] & success[b], kept[a], kept[b])}
                         for a, b in campaign.compare],
         'fitted': campaign.fitted, 'notes': [*campaign.notes, *notes_of_the_mission(campaign)]}
+    if campaign.sample:
+        summary['ensemble'] = sampled
     if campaign.replicates:
         size = campaign.replicates[0] * campaign.replicates[1]
         by_replicate = {name: s.reshape(-1, size).mean(axis=1) for name, s in success.items()}
@@ -102,6 +107,7 @@ SHAPE: dict[str, Any] = {               # of what the report reads
                         'wilson95': [REAL, 2]}],
         'differences': [{'a': str, 'b': str, 'difference': REAL, 'paired95': [REAL, 2],
                          'p': REAL}]},
+    'ensemble?': ensemble.SHAPE,
     'replicates?': {
         'design_effect?': BY_NAME, 'count': int, 'operators': int, 'runs': int,
         'success_rate': {'': SPREAD},
@@ -284,6 +290,7 @@ def in_words(summary: dict[str, Any]) -> str:
                   f'[{c["wilson95"][0]:.4f}, {c["wilson95"][1]:.4f}]' for c in again['conditions']]
         lines += [*_compared(again['differences']),
                   f'again: result hash {again["result_hash"]}']
+    lines += ensemble.in_words(summary['ensemble']) if 'ensemble' in summary else []
     return '\n'.join(lines)
 
 
