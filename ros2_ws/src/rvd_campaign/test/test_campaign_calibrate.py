@@ -11,8 +11,8 @@ import pytest
 
 from rvd_campaign import catalogue
 from rvd_campaign.campaign import calibrate
-from rvd_campaign.campaign.calibrate import (
-    Bench, combinations, fit_success, Look, numbers, root, seen, Sensitivity, TARGET)
+from rvd_campaign.campaign.calibrate import combinations, numbers, seen, Sensitivity
+from rvd_campaign.campaign.fit import Bench, fit_success, Look, MEASURES, root, STATISTICS, TARGET
 from rvd_campaign.exits import CannotRun
 from rvd_dynamics.diagram.scenario import load, parse, Scenario
 from rvd_groundstation.operators.pilot import PERSONS
@@ -118,11 +118,11 @@ def test_bench_flies_the_same_runs_for_every_pilot():
     for mine, again in zip(a, c):
         np.testing.assert_array_equal(mine, again)
     assert not np.array_equal(a.values[0], b.values[0])
-    assert a.success.shape == (12,) and a.values.shape == (len(calibrate.MEASURES), 12)
+    assert a.success.shape == (12,) and a.values.shape == (len(MEASURES), 12)
 
 
 def test_what_is_fitted_is_condition_1_of_the_paper():
-    assert dict(zip(calibrate.STATISTICS, TARGET)) == {
+    assert dict(zip(STATISTICS, TARGET)) == {
         'success': 0.76, 'offset_m': 0.1444, 'lateral_rate_m_s': 0.0182}
 
 

@@ -7,5 +7,8 @@ results     the result table, its hash, `results.parquet` and `summary.json`
 stats       intervals for proportions, for their paired differences and for means
 figures     what the report shows
 report      `report.html`
-calibrate   fits the pilot's free numbers to condition 1 and says what that can identify
+fit         fits a pilot's free numbers to condition 1
+calibrate   the command: fits, and says what condition 1 can identify
+sample      points over what is not known of a scenario; `ensemble` says what they give
+beside      what other campaigns say of the same conditions
 """
