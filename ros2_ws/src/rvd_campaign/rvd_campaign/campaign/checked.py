@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from rvd_campaign.campaign import sample as sampling
+from rvd_campaign.campaign import beside, sample as sampling
 from rvd_campaign.campaign.claims import Confirmation
 from rvd_campaign.campaign.sample import Sample
 from rvd_dynamics.bad_input import BadInput
@@ -24,7 +24,7 @@ KEPT_SHAPE = {                  # of what `Campaign.as_dict` wrote
     'conditions': [{'name': str, 'group': str, 'at': dict, 'scenario?': str, 'base?': str,
                     'point?': int, 'changes?': {'': {'': float}}}],
     'sample?': sampling.SHAPE,
-    'accept?': {'reference?': str, 'standard_errors?': (int, float)}}
+    'accept?': {'reference?': str, 'standard_errors?': (int, float)}, 'beside?': beside.SHAPE}
 
 
 class CampaignError(BadInput):
@@ -75,6 +75,7 @@ class Campaign:
     confirm: Confirmation | None = None
     sample: Sample | None = None
     accept: dict[str, Any] = field(default_factory=dict)
+    beside: tuple[dict[str, Any], ...] = ()             # of other campaigns; `beside`
 
     def __post_init__(self) -> None:
         check_runs(self.runs, len(self.conditions))
@@ -110,7 +111,7 @@ class Campaign:
             'replicates': self.replicates, 'compare': self.compare, 'fitted': self.fitted,
             'reference': self.reference, 'figures': self.figures, 'notes': self.notes,
             'text': self.text, 'confirm': vars(self.confirm) if self.confirm else None,
-            'conditions': [c.as_dict() for c in self.conditions],
+            'conditions': [c.as_dict() for c in self.conditions], 'beside': self.beside,
             **({'sample': self.sample.as_dict(), 'accept': self.accept} if self.sample else {})}
 
 
@@ -126,7 +127,8 @@ def from_dict(kept: Mapping[str, Any]) -> Campaign:
         tuple(tuple(pair) for pair in kept['compare']), kept['fitted'], kept['reference'],
         tuple(kept['figures']), tuple(kept['notes']), kept['text'],
         Confirmation(**kept['confirm']) if kept.get('confirm') else None,
-        sampling.from_dict(kept['sample']) if 'sample' in kept else None, kept.get('accept', {}))
+        sampling.from_dict(kept['sample']) if 'sample' in kept else None, kept.get('accept', {}),
+        tuple(kept.get('beside', ())))
 
 
 def changed(scenario: Scenario, changes: Mapping[str, Mapping[str, Any]]) -> Scenario:
@@ -135,6 +137,12 @@ def changed(scenario: Scenario, changes: Mapping[str, Mapping[str, Any]]) -> Sce
         scenario = scenario.with_values(
             section, **{key.replace('.', '__'): value for key, value in flat.items()})
     return scenario
+
+
+def runs_per_person(scenario: Scenario) -> list[int]:
+    """Return in how many consecutive runs each model pilot of a scenario is the same person."""
+    return [draw.runs_per_operator for block in scenario.diagram.blocks
+            for draw in block.draws.values() if hasattr(draw, 'runs_per_operator')]
 
 
 def check_runs(runs: Any, conditions: int) -> None:

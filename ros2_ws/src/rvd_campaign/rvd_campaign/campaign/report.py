@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 from jinja2 import TemplateError
 import pyarrow
 
-from rvd_campaign.campaign import results, stats
+from rvd_campaign.campaign import beside, results, stats
 from rvd_campaign.campaign.checked import CampaignError
 from rvd_campaign.campaign.engine import open_folder, RESULTS
 from rvd_campaign.campaign.figures import needed, Results, shown_by
@@ -100,7 +100,8 @@ def page(made: Results) -> str:
                ('', f'{campaign.runs:,}', ' runs each'), ('seed ', campaign.seed, '')],
         conditions=_conditions(summary, campaign.reference), differences=_differences(summary),
         of_all=[m['words'] for m in _tabled(summary).values() if m.get('of_all')],
-        measured=_measured(summary),
+        measured=_measured(summary), sources=beside.sources(summary),
+        over_people=beside.in_clusters(summary),
         replicates=_replicates(summary), ensemble=_ensemble(summary),
         people=_people(summary), again=_again(summary),
         figures=[_figure(name, figure, made) for name, figure in shown_by(campaign).items()],
@@ -115,13 +116,20 @@ def page(made: Results) -> str:
 
 def _conditions(summary: dict[str, Any], reference: dict[str, dict]) -> Table:
     measures = _tabled(summary)
+    over_people = beside.in_clusters(summary)
+    banded = any('band' in c for c in summary['conditions'])
+    people = summary.get('reference', {})
+
+    def more(r: dict[str, Any]) -> list[Cell]:
+        return ([_interval(r.get('clustered95'))] if over_people else []) + (
+            [_interval(r.get('band'))] if banded else [])
 
     def row(name: str, r: dict[str, Any]) -> list[Cell]:
         low, high = stats.wilson(r['successes'], r['runs'])
         means, errors = r.get('means', {}), r.get('standard_errors', {})
         flown = r.get('duration_s', {})
         return [name, f'{r["runs"]:,}', f'{r["successes"] / r["runs"]:.4f}',
-                f'{low:.4f} {DASH} {high:.4f}',
+                f'{low:.4f} {DASH} {high:.4f}', *more({**people.get(name, {}), **r}),
                 _mean(flown.get('mean'), flown.get('standard_error'), TIME['digits']),
                 *(_mean(means.get(key), errors.get(key), m['digits'])
                   for key, m in measures.items())]
@@ -130,6 +138,7 @@ def _conditions(summary: dict[str, Any], reference: dict[str, dict]) -> Table:
             for c in summary['conditions']]
     rows += [('reference', row(label, r)) for label, r in reference.items()]
     return Table(['condition', 'runs', 'success', '95 % (Wilson)',
+                  *(['95 % (over people)'] if over_people else []), *(['band'] if banded else []),
                   *_heads({DURATION: TIME, **measures})], rows)
 
 
@@ -155,14 +164,20 @@ def _mean(value: float | None, error: float | None, digits: int) -> Cell:
     return f'{value:.{digits}f}', '' if error is None else f'\u00b1 {error:.{digits}f}'
 
 
+def _interval(values: list[float] | None, sign: str = '') -> Cell:
+    return DASH if values is None else f'{values[0]:{sign}.4f} \u2026 {values[-1]:{sign}.4f}'
+
+
 def _differences(summary: dict[str, Any]) -> Table:
+    banded = any('band' in d for d in summary['differences'])
     rows = [('', [_minus(d), f'{d["difference"]:+.4f}',
                   f'{d["paired95"][0]:+.4f} \u2026 {d["paired95"][1]:+.4f}',
                   f'{d["unpaired95"][0]:+.4f} \u2026 {d["unpaired95"][1]:+.4f}',
+                  *([_interval(d.get('band'), '+')] if banded else []),
                   f'{d["only_a"]:,} : {d["only_b"]:,}', _p(d['p'])])
             for d in summary['differences']]
     return Table(['success rates', 'difference', '95 %, paired', '95 %, unpaired',
-                  'only the first : only the second', 'p'], rows)
+                  *(['band'] if banded else []), 'only the first : only the second', 'p'], rows)
 
 
 def _people(summary: dict[str, Any]) -> Table:

@@ -14,6 +14,7 @@ The campaign file: which conditions are flown, how often, and with which seed.
     fitted: {NAME: WORDS}       # conditions whose result was fitted, and to what
     reference: {WORDS: {condition: NAME, runs: 100, successes: 76, means: {...}}}
     confirm: {seed: 2, runs: 10000}     # see `claims`, as for more of a reference
+    beside: {FILE: {NAME: NAME}}        # what other campaigns say; see `beside`
     figures: [NAME], notes: [WORDS]
 
 CHANGES maps a section of the scenario to its keys, and knows short words: `loop_delay_s`, where
@@ -31,9 +32,9 @@ from pathlib import Path
 from typing import Any
 
 from rvd_campaign import catalogue
-from rvd_campaign.campaign import sample as sampling
+from rvd_campaign.campaign import beside, sample as sampling
 from rvd_campaign.campaign.checked import (
-    Campaign, CampaignError, changed, check_runs, Condition, MAX_CONDITIONS)
+    Campaign, CampaignError, changed, check_runs, Condition, MAX_CONDITIONS, runs_per_person)
 from rvd_campaign.campaign.claims import Confirmation, confirmation, reference
 from rvd_campaign.campaign.grid import Cells, legs
 from rvd_campaign.campaign.sample import Sample
@@ -46,7 +47,7 @@ from rvd_dynamics.diagram.scenario import (
 from rvd_dynamics.given import mapping_of, text_of
 
 KEYS = ('scenario', 'seed', 'runs', 'set', 'conditions', 'grid', 'compare', 'replicates', 'fitted',
-        'reference', 'confirm', 'figures', 'notes', 'sample', 'accept')
+        'reference', 'confirm', 'figures', 'notes', 'sample', 'accept', 'beside')
 LOOP_DELAY = 'loop_delay_s'             # the short word for both delays of the link
 DELAYS = ('forward_delay_s', 'back_delay_s')
 OF_THE_CAMPAIGN = ('mission', 'seed', 'run', 'nodes', 'processes')  # no condition may change them
@@ -101,7 +102,8 @@ class _Reader:
         base = self._changed(scenario, 'set', tree.get('set'))
         conditions = tuple(self._conditions(base, groups, cells, 'conditions' in tree))
         names = [c.name for c in conditions]
-        rows = self._reference(tree.get('reference'), names)
+        others = self._beside(tree.get('beside'), names)
+        rows = beside.with_design_effects(self._reference(tree.get('reference'), names), others)
         sample, accept, points = self._sample(tree, conditions, rows, seed, runs)
         return Campaign(
             self._name, _title(text), seed, runs, (*conditions, *points),
@@ -110,7 +112,7 @@ class _Reader:
             self._texts('fitted', tree.get('fitted'), names),
             rows, self._figures(base.mission, tree.get('figures', [])),
             self._notes(tree.get('notes', [])), text, self._confirm(tree, runs, asked, conditions),
-            sample, accept)
+            sample, accept, tuple(others))
 
     def _refuse(self, words: str) -> None:
         raise CampaignError(f'{self._what}: {words}')
@@ -238,7 +240,7 @@ class _Reader:
         if runs % size:
             self._refuse(f'runs must be a multiple of {size}, one replicate, got {runs}')
         for condition in conditions:
-            for each in _runs_per_operator(condition.scenario):
+            for each in runs_per_person(condition.scenario):
                 if each != value['runs']:
                     self._refuse(f'condition {condition.name}: runs_per_operator is {each}, the '
                                  f'replicates say {value["runs"]}')
@@ -275,6 +277,12 @@ class _Reader:
                     sample.changes(seed) if sample else ()) for c in conditions]
         except BadInput as error:
             self._refuse(_bare(error))
+
+    def _beside(self, given: Any, names: list[str]) -> list[dict[str, Any]]:
+        try:
+            return beside.parsed(given, self._folder, names)
+        except BadInput as error:
+            self._refuse(str(error))
 
     def _reference(self, rows: Any, names: list[str]) -> dict[str, dict]:
         if rows is None:
@@ -316,12 +324,6 @@ class _Reader:
     def _known(self, key: str, name: Any, names: list[str]) -> None:
         if name not in names:
             self._refuse(f'{key}: no condition {name!r}' + nearest(str(name), names))
-
-
-def _runs_per_operator(scenario: Scenario) -> list[int]:
-    """Return in how many consecutive runs each model pilot of a scenario is the same person."""
-    return [draw.runs_per_operator for block in scenario.diagram.blocks
-            for draw in block.draws.values() if hasattr(draw, 'runs_per_operator')]
 
 
 def _bare(error: ValueError) -> str:

@@ -86,15 +86,25 @@ def clustered(counts: Sequence[tuple[int, int]]) -> Interval | None:
     clusters = len(counts)
     if clusters < 2:
         return None
-    from scipy.stats import beta, t
+    from scipy.stats import t
     successes, trials = np.array(counts, dtype=float).T
     n = trials.sum()
     p = successes.sum() / n
     variance = clusters / (clusters - 1) * float(
         ((trials / n)**2 * (successes / trials - p)**2).sum())
     effective = min(n, p*(1 - p)/variance) if variance > 0.0 else n
-    few = (t.ppf(0.975, n - 1) / t.ppf(0.975, clusters - 1))**2
-    good, bad = p*effective*few, (1 - p)*effective*few
+    return _exact(p, effective*(t.ppf(0.975, n - 1) / t.ppf(0.975, clusters - 1))**2)
+
+
+def of_design_effect(successes: int, runs: int, effect: float) -> Interval:
+    """Return that interval of runs which are worth as many independent ones as runs/effect."""
+    return _exact(successes/runs, runs/effect)
+
+
+def _exact(p: float, flights: float) -> Interval:
+    """Return Clopper's and Pearson's interval; flights need not be whole."""
+    from scipy.stats import beta
+    good, bad = p*flights, (1 - p)*flights
     return Interval(float(beta.ppf(0.025, good, bad + 1)) if good > 0.0 else 0.0,
                     float(beta.ppf(0.975, good + 1, bad)) if bad > 0.0 else 1.0)
 

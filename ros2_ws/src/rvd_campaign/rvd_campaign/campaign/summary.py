@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from rvd_campaign.campaign import ensemble, results, stats
-from rvd_campaign.campaign.checked import Campaign, Condition
+from rvd_campaign.campaign import beside, ensemble, results, stats
+from rvd_campaign.campaign.checked import Campaign, Condition, runs_per_person
 from rvd_campaign.campaign.claims import effective
 from rvd_campaign.campaign.engine import condition_tables, full_disk, identity, PARTS, RESULTS
 from rvd_campaign.campaign.equivalence import equivalence
@@ -64,6 +64,7 @@ def finish(campaign: Campaign, folder: Path) -> dict[str, Any]:
         'fitted': campaign.fitted, 'notes': [*campaign.notes, *notes_of_the_mission(campaign)]}
     if campaign.sample:
         summary['ensemble'] = sampled
+    beside.add(summary, campaign.beside, campaign.reference)
     if campaign.replicates:
         size = campaign.replicates[0] * campaign.replicates[1]
         by_replicate = {name: s.reshape(-1, size).mean(axis=1) for name, s in success.items()}
@@ -94,11 +95,12 @@ SHAPE: dict[str, Any] = {               # of what the report reads
         'name': str, 'runs': int, 'successes': int, 'success_rate': REAL, 'runs_per_s': NUMBER,
         'wilson95': [REAL, 2], 'means': BY_NAME, 'standard_errors': BY_NAME,
         'means_of_all_runs': {'': REAL}, 'reasons': {'': int}, 'share_of_steps?': {'': REAL},
-        'duration_s?': {'mean': NUMBER, 'standard_error': NUMBER}}],
+        'duration_s?': {'mean': NUMBER, 'standard_error': NUMBER}, **beside.OF_A_CONDITION}],
     'differences': [{
         'a': str, 'b': str, 'difference': REAL, 'paired95': [REAL, 2],
         'unpaired95': [REAL, 2], 'only_a': int, 'only_b': int, 'p': REAL, 'both?': int,
-        'measures?': {'': {'difference': NUMBER, 'paired95': [NUMBER, 2]}}}],
+        'measures?': {'': {'difference': NUMBER, 'paired95': [NUMBER, 2]}}, 'band?': [REAL, 3]}],
+    **beside.OF_A_SUMMARY,
     'people?': [{'reference': str, 'condition': str, 'margin': REAL, 'design_effect': REAL,
                  'difference': REAL, 'p_not_inferior': REAL, 'p_equivalent': REAL}],
     'confirmation?': {
@@ -160,13 +162,26 @@ def of_condition(condition: Condition, table: Table, seconds: float,
         'duration_s': dict(zip(('mean', 'standard_error'), stats.mean(table[DURATION][good]))),
         'reasons': dict(sorted(Counter(table['reason'].tolist()).items())),
         'means_of_all_runs': {name: stats.mean(table[name])[0] for name in always_known},
-        'runs_per_s': runs / seconds if seconds > 0 else float('nan')}
+        'runs_per_s': runs / seconds if seconds > 0 else float('nan'),
+        **_of_people(good, max(runs_per_person(condition.scenario), default=0))}
     if 'steps' in table:
         steps = np.maximum(table['steps'], 1)
         made['share_of_steps'] = {
             name.removeprefix('steps_'): float((counts / steps).mean())
             for name, counts in table.items() if name.startswith('steps_')}
     return made
+
+
+def _of_people(good: np.ndarray, each: int) -> dict[str, Any]:
+    """Return the interval over people who fly `each` runs in a row; nothing if nobody flies."""
+    if not each:
+        return {}
+    firsts = np.arange(0, len(good), each)
+    interval = stats.clustered(list(zip(
+        np.add.reduceat(good.astype(int), firsts).tolist(),
+        np.diff(firsts, append=len(good)).tolist())))
+    return {'runs_per_person': each} if interval is None else {
+        'runs_per_person': each, 'clustered95': list(interval)}
 
 
 def of_pair(a: str, b: str, success_a: np.ndarray, success_b: np.ndarray) -> dict[str, Any]:
@@ -277,7 +292,7 @@ def in_words(summary: dict[str, Any]) -> str:
                 f'[{low:.4f}, {high:.4f}]')
         lines.append('  '.join([left, *(f'{row[name]:>{widths[name]}}' for name in row)]) + mark)
     lines += [f'* {name}: {words}' for name, words in summary['fitted'].items()]
-    lines += _compared(summary['differences'])
+    lines += [*_compared(summary['differences']), *beside.in_words(summary)]
     lines += [f'{name}: design effect {effect:.2f}' for name, effect in
               summary.get('replicates', {}).get('design_effect', {}).items() if effect is not None]
     lines += [f'{p["condition"]} against {p["reference"]}, margin {p["margin"]:g}: '
