@@ -30,7 +30,8 @@ UNITS = {           # ending of the key: unit in the sentence; the first that fi
     '_m3_s2': 'm^3/s^2', '_m2_s': 'm^2/s', '_m_s2': 'm/s^2', '_m_s': 'm/s',
     '_per_s2': '1/s^2', '_per_s': '1/s',
     'slowing_per_m': '1/m', 'target_rate_per_m': '1/m', '_per_m': 'm/m',
-    '_deg': 'deg', '_hz': 'Hz', '_m': 'm', '_s': 's', '_ms': 'ms', 'autorepeat_rate': 'Hz'}
+    '_rad_s': 'rad/s', '_deg': 'deg', '_hz': 'Hz', '_m': 'm', '_s': 's', '_ms': 'ms',
+    'autorepeat_rate': 'Hz'}
 TWO_UNITS = {'process_variance_floor'}      # of positions and velocities, which no ending says
 
 # Parameters that must fit another one: given the value under test together with it.
