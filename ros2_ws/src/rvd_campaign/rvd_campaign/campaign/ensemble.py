@@ -109,7 +109,6 @@ def indices(campaign: Campaign, name: str, found: NDArray) -> list[dict[str, Any
 
 
 NUMBER = (int, float, type(None))
-EXTENT = ([(int, float), 3], type(None))
 SHAPE: dict[str, Any] = {               # of what the report reads
     'latin_hypercube': int, 'sobol': int, 'groups': [str], 'numbers': [{'section': str}],
     'points': [{'outputs': {'': NUMBER}}],
