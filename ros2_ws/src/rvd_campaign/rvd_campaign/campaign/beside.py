@@ -38,6 +38,11 @@ OF_A_SUMMARY: dict[str, Any] = {
     'reference?': {'': {'wilson95': [REAL, 2], 'clustered95?': [REAL, 2],
                         'design_effect?': REAL}},
     'beside?': [{'campaign': str, 'result_hash': str, 'words': str, 'bands': bool}]}
+READ = {                                # of a summary
+    'campaign': str, 'result_hash': str,
+    'ensemble?': {'latin_hypercube': int, 'bands': [{'output': str, 'all': [REAL, 3]}],
+                  'accepted': (dict, type(None))},
+    'replicates?': {'count': int, 'operators': int, 'runs': int, 'design_effect?': dict}}
 DIGITS = 6
 
 
@@ -204,16 +209,16 @@ def of_summary(summary: Mapping[str, Any]) -> dict[str, Any]:
 
 def main(arguments: list[str] | None = None) -> int:
     """Write the file; return the exit code."""
-    from rvd_campaign.campaign.summary import is_summary, SUMMARY
     parser = argparse.ArgumentParser(description='Keep what a campaign says for other campaigns.')
     parser.add_argument('folder', type=Path, help='of a finished campaign')
     parser.add_argument('--out', required=True, type=Path, help='file to write, must not exist yet')
     args = parser.parse_args(arguments)
     try:
-        summary = object_of(args.folder / SUMMARY, 'summary of a campaign')
-        if not is_summary(summary):
-            raise BadInput(f'{args.folder / SUMMARY} is no summary of this version: make it again '
-                           f'with ./rvd campaign --resume {args.folder}')
+        path = args.folder / 'summary.json'
+        summary = object_of(path, 'summary of a campaign')
+        if not has_shape(summary, READ):
+            raise BadInput(f'{path} is no summary of this version: make it again with '
+                           f'./rvd campaign --resume {args.folder}')
         text = yaml.safe_dump(of_summary(summary), sort_keys=False, width=90, allow_unicode=True)
         if args.out.exists():
             raise BadInput(f'--out {args.out} exists: nothing is overwritten, give another name')
