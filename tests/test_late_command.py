@@ -18,7 +18,7 @@ SCENARIO = """
 /**:
   ros__parameters: {pace: realtime, operator: none, mode: auto}
 """
-STEPS = 40
+STEPS, LOOP = 40, 20            # of half a second
 LATE = (12, 13, 20)             # their commands come two steps after they were due
 
 
@@ -55,7 +55,7 @@ def test_the_node_predicts_as_if_the_command_had_been_there(aborted, tmp_path):
             if k >= 10:
                 frame.payload = list(pack_downlink(
                     sequence=k - 9, generated_ns=(k - 10)*500_000_000, state=state,
-                    accepted_sequence=0, refusal=0))
+                    accepted_sequence=max(k - LOOP, 0), refusal=0))    # each one has acted
             frames.publish(frame)
             if k - 1 in LATE:           # it fires when something of the next step comes: not yet
                 time.sleep(0.2)
@@ -66,7 +66,7 @@ def test_the_node_predicts_as_if_the_command_had_been_there(aborted, tmp_path):
     right = Predictor(s.settings('state_predictor'), s.run, s.part('legs'), s.part('orbit'),
                       s.part('start'), s.part('form'), abort=s.part('abort_profile'))
     ideal = [right.advance(k, state, k >= 10, None if k == 0 else (
-        [0, 0, 0] if k - 1 >= aborted else levels(k - 1)), k - 1 >= aborted).predicted
+        [0, 0, 0] if k - 1 >= aborted else levels(k - 1)), k - 1 >= aborted, acted=True).predicted
         for k in range(STEPS)]
     got = np.array([state_from_msg(m) for m in predicted])
     assert [m.step for m in predicted] == list(range(STEPS))

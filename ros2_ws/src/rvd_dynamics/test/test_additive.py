@@ -1,4 +1,4 @@
-"""The sensor whose errors do not vanish: what is added to each sample, and what lasts for the run."""
+"""The sensor whose errors do not vanish: what is added to each sample, what lasts for a run."""
 
 import numpy as np
 from numpy.testing import assert_allclose, assert_array_equal

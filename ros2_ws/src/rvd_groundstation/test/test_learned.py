@@ -1,4 +1,4 @@
-"""The filter that learns: against the textbook, against chance, and against what nobody knows of."""
+"""The filter that learns: against the textbook, against chance, against what nobody knows of."""
 
 from dataclasses import replace
 
@@ -84,7 +84,7 @@ def test_its_gain_is_what_a_sample_moves_the_estimate_by():
 
 
 class Flown:
-    """Free flights that scatter as the filter thinks, with noise and thrust that it may not know."""
+    """Free flights that scatter as the filter thinks; noise and thrust it may not know."""
 
     def __init__(self, rows, steps=240, noise=0.01, unknown=(0.0, 0.0, 0.0), seed=3, params=None):
         rng, paper = np.random.default_rng(seed), Paper()

@@ -182,7 +182,8 @@ class Graph:
         now = k * self.run.step_ns
         measured = self.sensor.measure(self.state, self.measuring[k])
         released = self.down.advance(k, Frame(k + 1, now, payload=pack_downlink(
-            sequence=k + 1, generated_ns=now, state=measured, accepted_sequence=self.accepted, refusal=0)))
+            sequence=k + 1, generated_ns=now, state=measured, accepted_sequence=self.accepted,
+            refusal=0)))
         content = None if released is None else unpack_downlink(released.payload)
         received = isinstance(content, Downlink)
         sample = np.array(content.state) if received else None

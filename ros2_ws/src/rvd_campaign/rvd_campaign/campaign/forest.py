@@ -38,8 +38,8 @@ def differences(results: Any) -> tuple['Figure', str]:
                             else _title(results, base), fontsize=8.5)
     axes[0].set_yticks(range(len(labels)), labels)
     axes[0].set_ylim(len(labels) - 0.4, -0.6)
-    return figure, ('Difference of success rates, flown with the same draws, with its 95 % interval '
-                    '(Newcombe, paired). Each has 95 % confidence by itself: of twenty without '
+    return figure, ('Difference of success rates, flown with the same draws, with its 95 % '
+                    'interval (Newcombe, paired). Each has 95 % confidence by itself: of twenty without '
                     'effect one is expected to exclude 0. Panels with large differences are '
                     f'logarithmic beyond {NEAR:g}.' + _bases(results, by_base, alike))
 

@@ -22,7 +22,8 @@ SOURCES = ('.py', '.c', '.h')
 LOOP = {
     'rvd_dynamics': (
         'bad_input.py', 'commands', 'compiled.py', 'compiling.py', 'constants.py', 'diagram',
-        'frames.py', 'geometry', 'given.py', 'link', 'motion', 'onboard', 'world', *(f'recording/{name}.py' for name in (  # reads tapes
+        'frames.py', 'geometry', 'given.py', 'link', 'motion', 'onboard', 'world',
+        *(f'recording/{name}.py' for name in (          # reads tapes
             '__init__', 'limits', 'mcap_records', 'messages', 'params', 'sqlite_file', 'whole'))),
     'rvd_groundstation': (
         'guidance', 'joystick/__init__.py', 'joystick/params.py', 'operators', 'prediction',

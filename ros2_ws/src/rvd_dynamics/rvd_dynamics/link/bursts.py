@@ -6,8 +6,8 @@ in an outage. From one step to the next a burst ends with probability r = T/burs
 and one begins with p = r f/(1 - f), so that the share of bad steps is p/(p + r) = f and a burst
 takes 1/r steps on average. A run begins anywhere in that.
 
-Source  E. N. Gilbert, Bell System Technical Journal 39, 1960, pp. 1253-1265; E. O. Elliott, the same
-        42, 1963, pp. 1977-1997. Their good state loses nothing, and frames little, here: that is
+Source  E. N. Gilbert, Bell System Technical Journal 39, 1960, pp. 1253-1265; E. O. Elliott, the
+        same 42, 1963, pp. 1977-1997. Their good state loses nothing, and frames little, here: that is
         `loss_fraction`.
 """
 

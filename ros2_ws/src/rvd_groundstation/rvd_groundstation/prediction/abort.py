@@ -7,8 +7,9 @@ copies that fare independently, each in time with probability F(i) within i step
 
     P(not in force j steps after the first was sent) = prod over i = 0..j of 1 - F(i).
 
-Limits  outages are not foreseen, and what bursts take is taken for independent. Transits are those of the link's settings, 4,096 drawn once; a
-        burn is not shorter or longer than the guard's settings say.
+Limits  outages are not foreseen, and what bursts take is taken for independent. Transits are those
+        of the link's settings, 4,096 drawn once; a burn is not shorter or longer than the guard's
+        settings say.
 """
 
 from dataclasses import dataclass

@@ -150,7 +150,7 @@ IN_FLIGHT = {'expected': Expected, 'as_sent': AsSent}
 
 
 def reach(phi: Array, gamma: Array, loop: int) -> Array:
-    """Return what an acceleration in each step of a loop adds to the state at its end, (n, 6, 3)."""
+    """Return what an acceleration in each step of a loop adds to the last state, (n, 6, 3)."""
     found = []
     for _ in range(loop):
         found.insert(0, phi @ found[0] if found else gamma)

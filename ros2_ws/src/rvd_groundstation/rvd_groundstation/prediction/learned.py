@@ -1,10 +1,10 @@
 """
-Kalman filter of the relative motion that learns how noisy the sensor is, and knows of lost commands.
+Kalman filter of the relative motion that learns the sensor's noise and knows of lost commands.
 
 Frame   target orbital (+x along track, +y radially outward, +z completes the triad).
 State   (x, y, z, vx, vy, vz) [m, m/s] on the last axis; leading axes are batch axes.
-Model   the linear model of the motion (`cw`), in which thrust is known but for a fraction of it, and
-        an unknown acceleration of `unmodelled_m_s2` acts besides.
+Model   the linear model of the motion (`cw`), in which thrust is known but for a fraction of it,
+        and an unknown acceleration of `unmodelled_m_s2` acts besides.
 Noise   measurement = state (1 + f N), so the variance of a component is h (f^2 E[x^2] + sigma^2)
         with E[x^2] = x^2 + P: no floor is needed where a component is zero. The covariance is
         P = A + h B, B being what comes of the sensor: it grows with h also where it was made before

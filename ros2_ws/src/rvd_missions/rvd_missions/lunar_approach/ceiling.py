@@ -124,7 +124,7 @@ def ceiling(scenario: Scenario, runs: Sequence[int], first_step: int | None = No
 
 
 def first_steps(scenario: Scenario) -> dict[str, int]:
-    """Return the first step in which a command can act, by ceiling; `warm`: the link was running."""
+    """Return the first step in which a command can act, by ceiling; `warm`: the link ran."""
     legs = scenario.part('legs')
     return {'silent': legs.loop, 'any': legs.forward, 'warm': 0}
 

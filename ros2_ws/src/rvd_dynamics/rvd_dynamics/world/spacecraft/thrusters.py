@@ -3,8 +3,8 @@ Thrusters: what is commanded becomes acceleration along the axes of the target o
 
 Valid   attitude held, thrusters aligned with the axes, mass constant, no rise time.
 Source  Zhang, Li, Tang 2014, section 3.2: executed = U (1 + 0.01 N(0, 1)), each axis apart.
-Errors  `step`: drawn anew in each step, so that what a pulse gives is the more exact the shorter the
-        steps are, by their square root. `burn`: valves open once and stay open, so one error lasts
+Errors  `step`: drawn anew in each step, so that what a pulse gives is the more exact the shorter
+        the steps are, by their square root. `burn`: valves open once and stay open, so one error lasts
         while a command does; what a pulse gives does not depend on the step.
 """
 
