@@ -64,7 +64,8 @@ def test_the_node_predicts_as_if_the_command_had_been_there(aborted, tmp_path):
     finally:
         hand.close()
     right = Predictor(s.settings('state_predictor'), s.run, s.part('legs'), s.part('orbit'),
-                      s.part('start'), s.part('form'), abort=s.part('abort_profile'))
+                      s.part('start'), s.part('form'), abort=s.part('abort_profile'),
+                      scatter=s.part('start_scatter'))
     ideal = [right.advance(k, state, k >= 10, None if k == 0 else (
         [0, 0, 0] if k - 1 >= aborted else levels(k - 1)), k - 1 >= aborted, acted=True).predicted
         for k in range(STEPS)]

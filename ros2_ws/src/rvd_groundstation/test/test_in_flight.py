@@ -53,7 +53,7 @@ def test_expected_is_mean_and_covariance_of_all_outcomes():
     mean = sum(p * state for p, state in found)
     counted = np.zeros(6)
     for command in COMMANDS:
-        counted = PHI @ counted + GAMMA @ made.mean(command)
+        counted = PHI @ counted + GAMMA @ made.mean(command, np.array(P))
     assert_allclose(counted, mean, atol=1e-15)
     assert_allclose(made.scatter(COMMANDS), square_about(mean, found), rtol=1e-9, atol=1e-18)
 
@@ -67,7 +67,7 @@ def test_as_sent_is_the_mean_square_about_the_commands_as_they_were_sent():
         taken = np.bool_(i != 2)
         gains.append(gain if taken else np.zeros((6, 6)))
         made.updated(command, gain, taken)
-        assert_array_equal(made.mean(command), command)
+        assert_array_equal(made.mean(command, np.array(P)), command)
     # what is off: what acted minus what was counted, carried through the same filter
     def off(commands, start, gains=None):
         for p, state in outcomes(commands, PHI, start, gains):
@@ -87,7 +87,7 @@ def test_as_sent_is_the_mean_square_about_the_commands_as_they_were_sent():
 
 def test_where_telemetry_has_told_nothing_is_guessed():
     made, own = in_flight('expected', (3,)), np.array([[0.01, -0.02, 0.005]]*3)
-    accel, spread = made.past(made.mean(own), own, np.array([True, False, True]),
+    accel, spread = made.past(made.mean(own, np.full(3, P)), own, np.array([True, False, True]),
                               np.array([True, True, False]))
     assert_array_equal(accel[0], own[0])
     assert_array_equal(accel[1], 0.0)
@@ -106,7 +106,8 @@ def test_rows_have_the_same_bits_alone_and_in_a_batch(batch):
             alone = in_flight(name)
             at = (slice(None), *row)
             alone.updated(own[at][0], 0.2*np.eye(6), np.bool_(True))
-            assert_array_equal(alone.mean(own[at]), whole.mean(own)[at])
+            assert_array_equal(alone.mean(own[at], np.array(P)),
+                               whole.mean(own, np.full(batch, P))[at])
             assert_array_equal(alone.scatter(own[at]),
                                whole.scatter(own)[row])
 

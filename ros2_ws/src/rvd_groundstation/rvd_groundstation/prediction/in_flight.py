@@ -48,8 +48,8 @@ class Loss:
 class InFlight(Protocol):
     """What `IN_FLIGHT` lists: made with (loss, phi, gamma, loop, batch)."""
 
-    def mean(self, own: Array) -> Array:
-        """Return what counts for a command (..., 3) in flight [m/s^2]."""
+    def mean(self, own: Array, lost: Array) -> Array:
+        """Return what counts for a command (..., 3) that is `lost` (...) by chance [m/s^2]."""
 
     def past(self, counted: Array, own: Array, acted: NDArray, told: NDArray
              ) -> tuple[Array, Array | None]:
@@ -77,9 +77,9 @@ class Expected:
         self._loss, self._batch = loss, batch
         self._reach = reach(phi, gamma, loop)
 
-    def mean(self, own: Array) -> Array:
+    def mean(self, own: Array, lost: Array) -> Array:
         """Return the mean of a command in flight."""
-        return (1.0 - self._loss.probability)[..., None] * own
+        return (1.0 - lost)[..., None] * own
 
     def past(self, counted: Array, own: Array, acted: NDArray, told: NDArray
              ) -> tuple[Array, Array | None]:
@@ -112,7 +112,7 @@ class AsSent:
         self._reach = reach(phi, gamma, loop)
         self._bias, self._scatter = np.zeros((*batch, 6)), np.zeros((*batch, 6, 6))
 
-    def mean(self, own: Array) -> Array:
+    def mean(self, own: Array, lost: Array) -> Array:
         """Return the command."""
         return own
 

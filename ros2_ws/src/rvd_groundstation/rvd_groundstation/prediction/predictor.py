@@ -162,6 +162,7 @@ class Predictor:
             self._model.appendleft(self._model[0])
         self._sent = deque([np.zeros((*batch, 3))] * (loop + 1), maxlen=loop + 1)
         self._own = deque(self._sent, maxlen=loop + 1)      # the same, but for an ABORT
+        self._lost = deque([self.loss.probability] * (loop + 1), maxlen=loop + 1)   # when sent
         # what the filter was given, for commands that come late: to a single run alone
         self._past: deque[_Sample] = deque(maxlen=0 if batch else LATE_STEPS)
 
@@ -235,7 +236,7 @@ class Predictor:
         if self._past.maxlen:
             sample.before = self._filter.state()
             self._past.append(sample)
-        counted = self._acting(sample.m - 1, sample.own)
+        counted = self._acting(sample.m - 1, sample.own, self.loss.probability)
         accel, spread = self._in_flight.past(counted, sample.own, sample.acted, sample.told)
         self._filter.advance(sample.m, accel, sample.measured, sample.received, spread)
 
@@ -256,7 +257,8 @@ class Predictor:
         if abort:
             self._learn_of_abort(emitted)
         self._own.append(own)
-        self._sent.append(self._acting(emitted + self._legs.forward, own))
+        self._lost.append(self.loss.probability)
+        self._sent.append(self._acting(emitted + self._legs.forward, own, self._lost[-1]))
         self._model.append(cw.step(self._model[-1], self._sent[-1], self._phi, self._gamma))
         if abort and self._abort_step == emitted:
             self._act_again()
@@ -265,9 +267,9 @@ class Predictor:
         """Return what counts for a command of ours that has not come yet."""
         return self._own[-1] if self._stands_in else self._neutral
 
-    def _acting(self, step: int, own: Array) -> Array:
+    def _acting(self, step: int, own: Array, lost: Array) -> Array:
         """Return what counts for the acceleration in `step`, for which we have sent `own`."""
-        own = self._in_flight.mean(own)
+        own = self._in_flight.mean(own, lost)
         if self._abort_step is None:
             return own
         after = step - self._abort_step
@@ -286,8 +288,8 @@ class Predictor:
     def _act_again(self) -> None:
         """Run the model again from its oldest state, by what is known now."""
         first = self._next_step - 1 - self._back - 1        # the step in which _own[0] acted
-        for i, own in enumerate(self._own):
-            self._sent[i] = self._acting(first + i, own)
+        for i, (own, lost) in enumerate(zip(self._own, self._lost, strict=True)):
+            self._sent[i] = self._acting(first + i, own, lost)
             if i:
                 self._model[i] = cw.step(self._model[i - 1], self._sent[i], self._phi, self._gamma)
 
