@@ -12,9 +12,6 @@ ONE_RUN = 'its runs are single flights of a published case, of which no rate is 
 OWN_PAGE = 'the page of its mission states counts of these very runs'
 KEEP = {                                # campaigns that share seed 1, and why
     'table3': 'its hash and its numbers are published',
-    'laws': 'docs/laws.md states counts of these very runs',
-    'laws_published': 'docs/laws.md states counts of these very runs',
-    'laws_rough': 'docs/laws.md states counts of these very runs',
     'obstacle_corridor': ONE_RUN, 'obstacle_moving': ONE_RUN, 'obstacle_static': ONE_RUN,
     'obstacle_thrust': ONE_RUN, 'splines': ONE_RUN,
     **dict.fromkeys((
