@@ -88,7 +88,7 @@ def test_as_sent_is_the_mean_square_about_the_commands_as_they_were_sent():
 def test_where_telemetry_has_told_nothing_is_guessed():
     made, own = in_flight('expected', (3,)), np.array([[0.01, -0.02, 0.005]]*3)
     accel, spread = made.past(made.mean(own, np.full(3, P)), own, np.array([True, False, True]),
-                              np.array([True, True, False]))
+                              np.array([True, True, False]), np.full(3, P))
     assert_array_equal(accel[0], own[0])
     assert_array_equal(accel[1], 0.0)
     assert_allclose(accel[2], (1 - P)*own[2])

@@ -190,25 +190,7 @@ class PulsesPilot:
 
     def advance(self, step: int, estimate: ArrayLike, predicted: ArrayLike,
                 valid: ArrayLike) -> NDArray[np.int8]:
-        """
-        Return the levels at which the stick stands in this step.
-
-        Parameters
-        ----------
-        step : int
-            0, 1, 2, ... in order.
-        estimate : array_like, shape (..., 6)
-            What the display of the telemetry shows: the state as it was.
-        predicted : array_like, shape (..., 6)
-            What the display of the prediction shows: the state when a command will act.
-        valid : array_like of bool, shape (...)
-            Rows in which both are known; in the others the last displays remain.
-
-        Returns
-        -------
-        ndarray of int8, shape (..., 3)
-            Levels -3..3; the stick is neutral until the first displays.
-        """
+        """Return the levels at which the stick stands in this step; see `pilot.Pilot`."""
         normals = np.ascontiguousarray(self._normals[:, step].T)
         uniforms = np.ascontiguousarray(self._uniforms[:, step].T)
         self._bias = self._keep*self._bias + self._shock*normals[:6]

@@ -51,13 +51,13 @@ class InFlight(Protocol):
     def mean(self, own: Array, lost: Array) -> Array:
         """Return what counts for a command (..., 3) that is `lost` (...) by chance [m/s^2]."""
 
-    def past(self, counted: Array, own: Array, acted: NDArray, told: NDArray
+    def past(self, counted: Array, own: Array, acted: NDArray, told: NDArray, lost: Array
              ) -> tuple[Array, Array | None]:
         """
         Return what acted before a sample, and its covariance (..., 4), None: nothing to add.
 
         `counted` is what counted for it in flight; `told` says in which rows telemetry has told
-        whether it `acted`.
+        whether it `acted`; elsewhere it is `lost` by chance.
         """
 
     def updated(self, own: Array, gain: Array, taken: NDArray) -> None:
@@ -81,10 +81,10 @@ class Expected:
         """Return the mean of a command in flight."""
         return (1.0 - lost)[..., None] * own
 
-    def past(self, counted: Array, own: Array, acted: NDArray, told: NDArray
+    def past(self, counted: Array, own: Array, acted: NDArray, told: NDArray, lost: Array
              ) -> tuple[Array, Array | None]:
         """Return what acted where that is known, the mean and its covariance elsewhere."""
-        p = np.where(told, 0.0, self._loss.probability)
+        p = np.where(told, 0.0, lost)
         each = [own[..., i] for i in range(3)]
         squares = np.stack([*(u*u for u in each), each[0]*each[1]], axis=-1)
         return (np.where(told[..., None], acted[..., None]*own, counted),
@@ -116,7 +116,7 @@ class AsSent:
         """Return the command."""
         return own
 
-    def past(self, counted: Array, own: Array, acted: NDArray, told: NDArray
+    def past(self, counted: Array, own: Array, acted: NDArray, told: NDArray, lost: Array
              ) -> tuple[Array, Array | None]:
         """Return what was sent."""
         return counted, None

@@ -105,6 +105,7 @@ class _Sample:
     received: NDArray
     acted: NDArray                      # whether that acted, in the rows that were told
     told: NDArray
+    lost: Array | None = None           # how probable that was, as was known then
     before: Any = None
 
 
@@ -212,6 +213,7 @@ class Predictor:
             measured, received = self._sample(measured, received)
             sample = _Sample(m, self._own[0], measured, received, *self._told(m, received, acted))
             self.loss.hear(sample.acted, sample.told)
+            sample.lost = self.loss.probability
             self._take(sample)
             if self._track:
                 self._follow(m)
@@ -236,8 +238,9 @@ class Predictor:
         if self._past.maxlen:
             sample.before = self._filter.state()
             self._past.append(sample)
-        counted = self._acting(sample.m - 1, sample.own, self.loss.probability)
-        accel, spread = self._in_flight.past(counted, sample.own, sample.acted, sample.told)
+        counted = self._acting(sample.m - 1, sample.own, sample.lost)
+        accel, spread = self._in_flight.past(counted, sample.own, sample.acted, sample.told,
+                                             sample.lost)
         self._filter.advance(sample.m, accel, sample.measured, sample.received, spread)
 
     def _follow(self, m: int) -> None:

@@ -81,7 +81,7 @@ def skew_z(a: tuple[int, int], b: tuple[int, int]) -> float:
     Return the score statistic of the difference of two proportions (successes, runs).
 
     With the pooled variance of independent samples: conditions that share their draws scatter
-    together, so that it is too small rather than too large. NaN: all are alike.
+    together, so that z is rather too near 0. NaN: all are alike.
     """
     pooled = (a[0] + b[0])/(a[1] + b[1])
     variance = pooled*(1.0 - pooled)*(1.0/a[1] + 1.0/b[1])
