@@ -300,8 +300,10 @@ def test_a_command_that_came_late_counts_as_if_it_had_been_there(by, params, gri
 
 
 @pytest.mark.parametrize('by', [3, 30])         # in flight, and within the filter
-def test_a_command_that_came_late_counts_by_what_was_known_of_losses_when_it_was_due(by):
-    paper, params = paper_of((0.5, 5.0, 5.0)), replace(LEARNED, loss_probability=0.3)
+def test_a_command_that_came_late_counts_by_what_was_known_of_losses_when_it_was_due(
+        by, monkeypatch):
+    monkeypatch.setattr(PredictorParams, 'loss', lambda self, link: 0.3)    # of the link, as set
+    paper, params = paper_of((0.5, 5.0, 5.0)), LEARNED
     flight, made = Flight(paper, 100, noise=0.01, lost=0.3), [paper.predictor(params)
                                                               for _ in range(2)]
     off = []
@@ -317,3 +319,16 @@ def test_a_command_that_came_late_counts_by_what_was_known_of_losses_when_it_was
     assert made[0].loss.probability < 0.2               # what is known of losses changes
     assert min(off[21], off[41]) > 1e-4
     assert_allclose(off[41 + by:], 0.0, atol=1e-12)
+
+
+@pytest.mark.parametrize('given', [0.0, 0.3])
+def test_a_probability_of_loss_that_is_given_stays_whatever_telemetry_tells(given):
+    paper = paper_of((0.5, 5.0, 5.0))
+    flight = Flight(paper, 100, noise=0.01)
+    predictor = paper.predictor(replace(LEARNED, loss_probability=given))
+    for k in range(flight.steps):
+        m = k - paper.legs.back
+        sample = (flight.measured[m], flight.received[m]) if m >= 0 else (None, False)
+        predictor.advance(k, *sample, flight.commands[k - 1] if k else None,
+                          acted=np.bool_(k % 2))
+    assert predictor.loss.probability == given

@@ -60,8 +60,8 @@ class PredictorParams:
         'scatter', 'What is known of the start: the scatter of the scenario, or the deviations '
         'that are set for the filter.', choices=('scatter', 'kalman'))
     loss_probability: float = param(
-        -1.0, 'Probability that a command gets lost, where -1 means that of the link as it is set.',
-        low=-1.0, high=1.0)
+        -1.0, 'Probability that a command gets lost; -1 begins with that of the link as it is set, '
+        'and learns from the acknowledgements.', low=-1.0, high=1.0)
     use_acknowledgements: bool = param(
         True, 'Use what telemetry tells of commands: which ones have acted, and how many do.')
     kalman: FilterParams = param(
@@ -69,6 +69,11 @@ class PredictorParams:
     predictor_bias: float = param(
         1.0, 'Thrust acceleration that the predictor takes a command for, as a multiple of that of '
         'its levels.', low=0.7, high=1.3)
+
+    @property
+    def learns_loss(self) -> bool:
+        """Whether the probability follows the acknowledgements; one that is given stays."""
+        return self.use_acknowledgements and self.loss_probability < 0.0
 
     def loss(self, link: AbortProfile | None) -> float:
         """Return the probability that a command gets lost; on a link that is not given, 0."""
@@ -144,7 +149,7 @@ class Predictor:
         if scatter is not None and params.prior == 'scatter':
             params = params.beginning_with(scatter)
         self._filter = FILTERS[params.filter](params.kalman, run, orbit, start, batch, track)
-        self.loss = Loss(params.loss(abort), params.use_acknowledgements, batch)
+        self.loss = Loss(params.loss(abort), params.learns_loss, batch)
         self._reach = reach(self._phi, self._gamma, loop)
         self._in_flight = IN_FLIGHT[params.in_flight](self.loss, self._phi, self._gamma, loop,
                                                       batch)
