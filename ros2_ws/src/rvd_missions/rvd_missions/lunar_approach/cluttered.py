@@ -68,7 +68,9 @@ def draw(results: Any) -> tuple[Any, str]:
     """Draw what becomes of the runs of each condition."""
     names = [condition.name for condition in results.shown]
     found = [outcomes(results.tables[name]) for name in names]
-    figure = canvas(1.0 + 0.3*len(names), left=0.3, top=0.5, wspace=0.06)
+    words = [worded(name) for name in names]
+    figure = canvas(1.0 + 0.3*len(names), left=min(0.04 + 0.0068*max(map(len, words)), 0.5),
+                    top=0.5, wspace=0.06)
     bars, room = figure.subplots(1, 2, sharey=True, width_ratios=[2.4, 1.0])
     left = np.zeros(len(names))
     at = np.arange(len(names))
@@ -87,7 +89,7 @@ def draw(results: Any) -> tuple[Any, str]:
             room.plot(np.quantile(clearance, [0.0, 0.95]), [i, i], color=MUTED, linewidth=1.2)
             room.plot(np.quantile(clearance, [0.25, 0.75]), [i, i], color=INK, linewidth=4.0,
                       solid_capstyle='butt')
-    bars.set_yticks(at, [worded(name) for name in names])
+    bars.set_yticks(at, words)
     bars.invert_yaxis()
     bars.set(xlim=(0, 100), xlabel='runs from feasible starts [%]')
     room.axvline(0.0, color=VERMILLION, linewidth=1.0)
