@@ -3,6 +3,8 @@ Craft of docking that differ from run to run: sizes of the scatter, impossible d
 plant, camera and judge; a thruster that fails by the number of the run.
 """
 
+from types import SimpleNamespace
+
 import numpy as np
 from numpy.testing import assert_allclose
 import pytest
@@ -10,7 +12,9 @@ import pytest
 from rvd_dynamics.bad_input import BadInput
 from rvd_dynamics.diagram.in_process import fly, judge_of
 from rvd_dynamics.diagram.scenario import parse
+from rvd_dynamics.recording.drawing import svg
 from rvd_missions.docking import scatter as scattering
+from rvd_missions.docking.campaign_figures import FIGURES
 from rvd_missions.docking.scatter import CANDIDATES, drawn, PROPERTIES, Scatter, WIDTH
 from rvd_missions.docking.settings import Chaser
 
@@ -153,3 +157,21 @@ def test_each_run_knows_which_thruster_has_failed():
     for row, thruster in enumerate((1, 2, 3)):
         assert not told[:, row, thruster].any() and told[:, row].any()
     assert told[:, 0, 2].any()                  # which in row 1 nobody takes to be dead
+
+
+def test_a_run_that_never_comes_does_not_stretch_the_picture_of_the_margins():
+    """One held at 3 m, one that touched before it was judged: one is said, neither is drawn."""
+    table = {'hover_min_m': [0.04, 0.05, 3.07, np.nan], 'hover_max_m': [0.09, 0.12, 3.08, np.nan],
+             'lateral_m': [0.02, 0.03, 0.3, np.nan], 'attitude_deg': [0.3, 0.31, 0.3, np.nan]}
+    results = SimpleNamespace(tables={'all': table}, campaign=SimpleNamespace(
+        conditions=[SimpleNamespace(scenario=scenario(1.0))]))
+    drawn_on = []
+
+    def draw():
+        figure, caption = FIGURES['margins'].draw(results)
+        drawn_on.append((figure, caption))
+        return figure
+    assert '<svg' in svg('margins', draw)
+    figure, caption = drawn_on[0]
+    assert caption.endswith('Not drawn: 1 of 4, never in the band meanwhile.')
+    assert [axes.get_xlim()[1] < 0.5 for axes in figure.axes] == [True]*4

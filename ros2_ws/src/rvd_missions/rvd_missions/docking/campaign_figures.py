@@ -28,16 +28,22 @@ def margins(results: Any) -> tuple['Canvas', str]:
     bounds = {'hover_min_m': aim.distance_m - limits.band_m,
               'hover_max_m': aim.distance_m + limits.band_m, 'lateral_m': limits.lateral_m,
               'attitude_deg': limits.attitude_deg}
+    flown = {name: np.concatenate([np.asarray(table[name], dtype=float)
+                                   for table in results.tables.values()]) for name in LIMITED}
+    never = ((flown['hover_min_m'] > bounds['hover_max_m'])
+             | (flown['hover_max_m'] < bounds['hover_min_m']))
     figure = canvas(2.1, left=0.06, wspace=0.12)
     for axes, (name, words) in zip(figure.subplots(1, len(LIMITED)), LIMITED.items()):
-        values = np.concatenate([np.asarray(table[name], dtype=float)
-                                 for table in results.tables.values()])
+        values = flown[name][~never]
         axes.hist(values[np.isfinite(values)], bins=40, color=BLUE)
         axes.axvline(bounds[name], color=VERMILLION, linewidth=1.2)
         axes.set(xlabel=words, yticks=[])
         axes.locator_params(axis='x', nbins=3)
     figure.subplots_adjust(right=0.975)
-    return figure, 'Runs by what is judged while they hover; red: the limit.'
+    caption = 'Runs by what is judged while they hover; red: the limit.'
+    if never.any():
+        caption += f' Not drawn: {never.sum():,} of {len(never):,}, never in the band meanwhile.'
+    return figure, caption
 
 
 def thrusters(results: Any) -> tuple['Canvas', str]:
