@@ -15,7 +15,7 @@ from rvd_dynamics.diagram.in_process import fly
 from rvd_dynamics.diagram.scenario import Scenario
 from rvd_dynamics.geometry import cone
 from rvd_dynamics.recording.drawing import (
-    BLUE, CampaignFigure, canvas, DASHED, INK, LINES, ORANGE)
+    beside, BLUE, CampaignFigure, canvas, DASHED, INK, LINES, ORANGE)
 from rvd_dynamics.recording.worded import worded
 from rvd_missions.lunar_approach import cluttered
 from rvd_missions.lunar_approach.figures import upwards
@@ -184,8 +184,7 @@ def comparison(results: Any) -> Drawn:
     """Draw success, delta-v, time, offset and least margin of every condition side by side."""
     names = list(results.tables)
     words = [worded(name) for name in names]
-    left = min(0.04 + 0.0068*max(map(len, words)), 0.5)         # room for the longest name
-    figure = canvas(1.0 + 0.27*len(names), left=left, wspace=0.12, top=0.15)
+    figure = canvas(1.0 + 0.27*len(names), left=beside(words), wspace=0.12, top=0.15)
     first, *panels = figure.subplots(1, 1 + len(COMPARED), sharey=True)
     for at, name in enumerate(names):
         row, table = results.rows[name], results.tables[name]
@@ -208,8 +207,7 @@ def consistency(results: Any) -> Drawn:
     """Draw what predictions were worth in every condition: NEES, and how often within two sigma."""
     names = list(results.tables)
     words = [worded(name) for name in names]
-    left = min(0.04 + 0.0068*max(map(len, words)), 0.5)
-    figure = canvas(1.0 + 0.27*len(names), left=left, wspace=0.08, top=0.15)
+    figure = canvas(1.0 + 0.27*len(names), left=beside(words), wspace=0.08, top=0.15)
     panels = figure.subplots(1, 2, sharey=True)
     for panel, (column, (right, label)) in zip(panels, PREDICTED.items()):
         panel.axvline(right, color=INK, linestyle=DASHED, linewidth=1.2)

@@ -14,7 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rvd_dynamics.bad_input import BadInput
-from rvd_dynamics.recording.drawing import canvas, GREEN, INK, MUTED, ORANGE, VERMILLION
+from rvd_dynamics.recording.drawing import (
+    beside, canvas, GREEN, INK, MUTED, ORANGE, VERMILLION)
 from rvd_dynamics.recording.worded import worded
 
 NORMAL_95 = 1.959963984540054
@@ -69,8 +70,7 @@ def draw(results: Any) -> tuple[Any, str]:
     names = [condition.name for condition in results.shown]
     found = [outcomes(results.tables[name]) for name in names]
     words = [worded(name) for name in names]
-    figure = canvas(1.0 + 0.3*len(names), left=min(0.04 + 0.0068*max(map(len, words)), 0.5),
-                    top=0.5, wspace=0.06)
+    figure = canvas(1.0 + 0.3*len(names), left=beside(words), top=0.5, wspace=0.06)
     bars, room = figure.subplots(1, 2, sharey=True, width_ratios=[2.4, 1.0])
     left = np.zeros(len(names))
     at = np.arange(len(names))
